@@ -128,16 +128,16 @@ int read_label_numbers(const std::vector<std::string>& words, LabelNumbers& numb
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
     const std::string part = word.substr(0, equals);
-    std::optional<int>* const number = part == "anterior"    ? &numbers.anterior
-                                       : part == "posterior" ? &numbers.posterior
-                                       : part == "annulus"   ? &numbers.annulus
-                                                             : nullptr;
+    std::vector<int>* const number = part == "anterior"    ? &numbers.anterior
+                                     : part == "posterior" ? &numbers.posterior
+                                     : part == "annulus"   ? &numbers.annulus
+                                                           : nullptr;
     const auto value =
         equals == std::string::npos ? std::nullopt : to_integer(word.substr(equals + 1));
     if (number == nullptr || !value || *value < 1 || *value > 65535)
       return refuse("--label: is " + word +
                     ", must be anterior=N, posterior=N or annulus=N, N from 1 to 65535");
-    *number = static_cast<int>(*value);
+    number->push_back(static_cast<int>(*value));
   }
   return exit_code::kOk;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -32,7 +33,8 @@ struct ValveImportArguments {
   ImagedState state = ImagedState::Open;  // if given
   ImportOptions options;
   std::string output, picture;
-  bool json = false;
+  bool json = false, strict = false;
+  std::vector<std::string> given;  ///< options that may turn out to be of no use
 };
 
 constexpr const char* kSynthesise = "synthesise";
@@ -70,11 +72,32 @@ std::string misused(const ValveImportArguments& arguments) {
   return "";
 }
 
-void tell_looks(const std::vector<ImportDecision>& decisions) {
+/// What a person should look at first.
+void tell(const std::vector<ImportDecision>& decisions) {
   for (const ImportDecision& decision : decisions)
     if (decision.look)
       std::cerr << "coapt: valve import: check this against the images: "
                 << printable(sentence(decision)) << ".\n";
+  for (const ImportDecision& decision : decisions)
+    if (!decision.look)
+      std::cerr << "coapt: valve import: " << printable(decision.subject + ": " + decision.value)
+                << ".\n";
+}
+
+/// Options that change nothing of this import.
+std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments, bool closed) {
+  const bool drawn = arguments.options.chordae_seed.has_value();
+  std::vector<ImportDecision> unused;
+  for (const std::string& option : arguments.given) {
+    const bool of_drawn = option == "--seed", of_closed = option == "--hidden";
+    if (of_closed ? closed : of_drawn == drawn) continue;
+    unused.push_back({"options", option + " not used",
+                      of_closed  ? "the leaflets were not taken as closed"
+                      : of_drawn ? "the chordae came with the files"
+                                 : "the chordae are drawn, with branches and slack of their own",
+                      true});
+  }
+  return unused;
 }
 
 int run(ValveImportArguments& arguments) {
@@ -97,7 +120,7 @@ int run(ValveImportArguments& arguments) {
   source.name = arguments.name;
   source.provenance.insert(source.provenance.begin(), arguments.provenance.begin(),
                            arguments.provenance.end());
-  const Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
+  Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
   if (!valve) {
     if (!folder.empty()) return report_errors(folder, valve.errors());
     return report_option_errors("valve import", valve.errors(),
@@ -108,6 +131,8 @@ int run(ValveImportArguments& arguments) {
                                  {"/thickness_measured", "--thickness"},
                                  {"/tissue/thickness_mm", "--thickness"}});
   }
+  const auto unused = unused_options(arguments, valve->input.closed);
+  valve->decisions.insert(valve->decisions.end(), unused.begin(), unused.end());
   if (const int failed = write_output(arguments.output, write_valve(valve->valve))) return failed;
   if (!arguments.picture.empty())
     if (const int failed =
@@ -116,8 +141,10 @@ int run(ValveImportArguments& arguments) {
   if (arguments.json)
     std::cout << import_to_json(*valve).dump(2) << '\n';
   else
-    tell_looks(valve->decisions);
-  return exit_code::kOk;
+    tell(valve->decisions);
+  const bool looks = std::any_of(valve->decisions.begin(), valve->decisions.end(),
+                                 [](const ImportDecision& decision) { return decision.look; });
+  return arguments.strict && looks ? exit_code::kUnchecked : exit_code::kOk;
 }
 
 }  // namespace
@@ -136,25 +163,28 @@ void add_valve_import(Command parent, int& status) {
   command
       .add_option(
           "--leaflet", inputs.leaflets,
-          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one skirt; "
-          "sheets or thick shells, which become their mid-surfaces")
+          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one file with "
+          "both as its parts, or one skirt; sheets or thick shells, which become their "
+          "mid-surfaces")
       .count(1, 2);
   command
       .add_option("--labels", inputs.labels,
                   "Label map of the leaflets and, perhaps, of the annulus (NRRD or NIfTI), instead")
       .excludes("--leaflet");
   command
-      .add_option("--label", inputs.label_numbers,
-                  "Which label is what, each with a --label of its own: anterior=N, posterior=N, "
-                  "annulus=N (default: by the names in the file, else 1, 2 and 3)")
+      .add_option(
+          "--label", inputs.label_numbers,
+          "Which label is what, each with a --label of its own: anterior=N, posterior=N, "
+          "annulus=N, several of one if they are its scallops (default: by the names in the "
+          "file, else by what the labels look like)")
       .one_at_a_time();
   command.add_option("--series", inputs.series,
                      "Folder of the DICOM series that the labels were drawn on: spacing and frame "
                      "where the label map has none, else checked");
   command.add_option(
       "--annulus", inputs.annulus,
-      "Closed loop, CSV of x,y,z lines or a closed curve of Slicer (.mrk.json); without it, "
-      "it is found along the leaflets' outlines");
+      "Closed loop: a table with columns x, y, z (CSV, text, .fcsv), a closed curve of Slicer "
+      "(.mrk.json), or lines of OBJ or VTK; without it, it is found along the leaflets' outlines");
   command.add_option(
       "--chordae", inputs.chordae,
       "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
@@ -230,12 +260,13 @@ void add_valve_import(Command parent, int& status) {
   const std::map<std::string, LengthUnit> units = {
       {to_string(LengthUnit::Millimetre), LengthUnit::Millimetre},
       {to_string(LengthUnit::Centimetre), LengthUnit::Centimetre},
+      {to_string(LengthUnit::Inch), LengthUnit::Inch},
       {to_string(LengthUnit::Metre), LengthUnit::Metre}};
   command
       .add_choice(
           "--units", arguments->units, units,
-          "Of the files' lengths: mm, cm or m (default: guessed from the circumference of the "
-          "annulus, 30 to 400 mm)")
+          "Of the files' lengths: mm, cm, in or m (default: the one in which the circumference of "
+          "the annulus is 70 to 200 mm)")
       .show_argument("UNIT")
       .excludes("--abaqus");
   const std::map<std::string, PatientAxes> axes = {{to_string(PatientAxes::LPS), PatientAxes::LPS},
@@ -247,6 +278,16 @@ void add_valve_import(Command parent, int& status) {
       .show_argument("AXES")
       .excludes("--slicerheart")
       .excludes("--abaqus");
+  command
+      .add_flag("--trust-labels", options.trust_labels,
+                "Take the leaflets as labels, names and order say, even if they look the other way "
+                "round")
+      .excludes("--abaqus");
+  command
+      .add_flag("--strict", arguments->strict,
+                "Exit with 3 where a decision should be checked against the images; the valve is "
+                "written all the same")
+      .excludes("--abaqus");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
   command
@@ -256,7 +297,7 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--abaqus");
   command
       .add_flag("--json", arguments->json,
-                "Print every decision of the import with its reason (coapt.import/1); -o must be a "
+                "Print every decision of the import with its reason (coapt.import/2); -o must be a "
                 "file")
       .excludes("--abaqus");
   command.footer(
@@ -282,6 +323,8 @@ void add_valve_import(Command parent, int& status) {
   command.on_run([arguments, command, &status] {
     if (command.has("--frame")) arguments->inputs.axes = arguments->axes;
     if (command.has("--units")) arguments->options.units = arguments->units;
+    for (const char* option : {"--seed", "--branches", "--branch-at", "--slack", "--hidden"})
+      if (command.has(option)) arguments->given.emplace_back(option);
     if (arguments->closed) arguments->options.closed = true;
     if (command.has("--state")) arguments->options.closed = arguments->state == ImagedState::Closed;
     if (!take_thickness(arguments->thickness, arguments->options)) {

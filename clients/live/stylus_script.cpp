@@ -45,7 +45,7 @@ Expected<std::vector<StylusSample>> read_stylus_script(std::string_view csv) {
   std::array<std::size_t, 5> at = {0, 1, 2, 3, 4};
   ProblemList problems;
   for (std::size_t k = 0; k < at.size() && !table->names.empty(); ++k) {
-    const auto found = std::find(table->names.begin(), table->names.end(), kColumns[k]);
+    const auto found = std::find(table->names.begin(), table->names.end(), plain_name(kColumns[k]));
     at[k] = static_cast<std::size_t>(found - table->names.begin());
     if (found == table->names.end())
       problems.add(ErrorCode::MissingField, "", "has no column " + std::string(kColumns[k]));

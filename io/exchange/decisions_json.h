@@ -10,12 +10,15 @@
 
 namespace coapt {
 
-/// [{"about", "decision", "reason", "look"}, ...]
+/// [{"subject", "value", "reason", "look", "confidence"}, ...]
 inline Json to_json(const std::vector<ImportDecision>& decisions) {
   Json list = Json::array();
   for (const ImportDecision& of : decisions)
-    list.push_back(
-        {{"about", of.about}, {"decision", of.decision}, {"reason", of.reason}, {"look", of.look}});
+    list.push_back({{"subject", of.subject},
+                    {"value", of.value},
+                    {"reason", of.reason},
+                    {"look", of.look},
+                    {"confidence", of.confidence}});
   return list;
 }
 
@@ -30,9 +33,9 @@ inline Json to_json(const std::vector<MeasuredThickness>& thickness) {
   return list;
 }
 
-/// coapt.import/1. Keys that scripts rely on: decisions[] (about, decision, reason).
+/// coapt.import/2. Keys that scripts rely on: decisions[] (subject, value, reason, look, confidence).
 inline Json import_to_json(const ImportedValve& imported) {
-  return result_document("coapt.import/1", {{"name", imported.valve.name},
+  return result_document("coapt.import/2", {{"name", imported.valve.name},
                                             {"triangles", imported.valve.faces.rows()},
                                             {"chordae", imported.valve.chordae.size()},
                                             {"thickness", to_json(imported.thickness)},

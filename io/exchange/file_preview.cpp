@@ -5,6 +5,7 @@
 #include "io/exchange/import_files.h"
 #include "io/exchange/label_parts.h"
 #include "io/exchange/markups.h"
+#include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
 
 namespace coapt {
@@ -98,7 +99,7 @@ const char* to_string(FileContent content) {
 FilePreview preview_file(const NamedFile& file) {
   const std::string format = format_of(file.name);
   if (format == "json") return json_preview(file.bytes);
-  if (format == "csv") return csv_preview(file.bytes);
+  if (is_table_format(format)) return csv_preview(file.bytes);
   if (is_label_map_format(format)) return labels_preview(file.bytes);
   const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format);
   if (mesh) return {FileContent::Surface, mesh->vertices_mm, mesh->faces, {}, {}};

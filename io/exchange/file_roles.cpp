@@ -11,6 +11,7 @@
 #include "io/json/json_reader.h"
 #include "io/json/parse_json.h"
 #include "io/mesh/csv_table.h"
+#include "io/mesh/import_readers.h"
 
 namespace coapt {
 namespace {
@@ -41,17 +42,19 @@ GuessedRole role_of_json(const std::string& bytes) {
 }
 
 GuessedRole role_of_table(const std::string& bytes) {
-  const Expected<CsvTable> table = read_csv(bytes, {"x", "x_mm", "papillary", "ins_x"});
+  const Expected<CsvTable> table = read_csv(bytes, {"x", "papillary", "ins_x"});
   if (!table || table->rows.empty()) return {};
-  const auto has = [&](std::string_view column) {
-    return std::find(table->names.begin(), table->names.end(), column) != table->names.end();
-  };
   const std::vector<std::string_view>& row = table->rows[0].fields;
-  if (has("ins_x") || row.size() >= kChordaFields)
+  const bool points = !table->names.empty() && !table->has("papillary") && !table->has("ins_x");
+  if (points && table->has("label") && read_tips_csv(bytes))
+    return {FileRole::Tips, "its points are labelled AL or PM"};
+  if (points) return {FileRole::Annulus, "its columns are x, y, z"};
+  if (table->has("ins_x") || row.size() >= kChordaFields)
     return {FileRole::Chordae, "its columns are those of chordae"};
-  if (has("papillary") || (row.size() == 4 && !to_number(row[0])))
+  if (table->has("papillary") || (row.size() == 4 && !table->number(row[0])))
     return {FileRole::Tips, "its columns are papillary, x, y, z"};
-  if (row.size() == 3 && to_number(row[0])) return {FileRole::Annulus, "its columns are x, y, z"};
+  if (row.size() == 3 && table->number(row[0]))
+    return {FileRole::Annulus, "its columns are x, y, z"};
   return {};
 }
 
@@ -67,28 +70,47 @@ FileRole role_of(NamedPart part) {
       return FileRole::Chordae;
     case NamedPart::Tips:
       return FileRole::Tips;
+    case NamedPart::Other:
+    case NamedPart::OtherLeaflet:
+      break;
   }
   return FileRole::None;
 }
 
 /// Of meshes whose names say nothing: by their order, or by what the other one is.
+constexpr const char* kBoth = "it is the only mesh";
+constexpr const char* kUnnamed = "two meshes, whose names do not tell which is which";
+
 void guess_meshes(const std::vector<std::size_t>& meshes, std::vector<GuessedRole>& roles) {
   if (meshes.size() == 1) {
-    roles[meshes[0]] = {FileRole::Anterior, "it is the only mesh: both leaflets as one skirt"};
+    roles[meshes[0]] = {FileRole::Anterior, kBoth};
     return;
   }
   if (meshes.size() != 2) return;
   GuessedRole &first = roles[meshes[0]], &second = roles[meshes[1]];
   if (first.role == FileRole::None && second.role == FileRole::None) {
-    first = {FileRole::Anterior, "of two meshes without telling names the anterior one comes first",
-             true};
-    second = {FileRole::Posterior, first.reason, true};
+    first = {FileRole::Anterior, kUnnamed};
+    second = {FileRole::Posterior, kUnnamed};
   } else if (first.role == FileRole::None || second.role == FileRole::None) {
     const bool anterior = first.role == FileRole::Anterior || second.role == FileRole::Anterior;
     (first.role == FileRole::None ? first : second) = {
         anterior ? FileRole::Posterior : FileRole::Anterior, "the other mesh is the other leaflet"};
   }
 }
+
+std::optional<NamedPart> part_of_file(const std::string& name) {
+  return part_named(name.substr(0, name.rfind('.')));
+}
+
+/// Lines without a surface, of the formats that an annulus may come in.
+bool is_line(const std::string& bytes, const std::string& format) {
+  if (format == "obj")
+    return bytes.find("\nl ") != std::string::npos && bytes.find("\nf ") == std::string::npos;
+  return format == "vtk" && bytes.find("\nLINES ") != std::string::npos &&
+         bytes.find("\nPOLYGONS ") == std::string::npos;
+}
+
+bool is_leaflet(FileRole role) { return role == FileRole::Anterior || role == FileRole::Posterior; }
 
 const char* words_of(FileRole role) {
   switch (role) {
@@ -114,18 +136,25 @@ const char* words_of(FileRole role) {
 
 std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
   std::vector<GuessedRole> roles(files.size());
-  std::vector<std::size_t> meshes;
+  std::vector<std::size_t> meshes, rings;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string format = format_of(files[i].name);
-    const std::optional<NamedPart> part =
-        part_named(files[i].name.substr(0, files[i].name.rfind('.')));
+    const std::optional<NamedPart> part = part_of_file(files[i].name);
     if (is_label_map_format(format)) {
       roles[i] = {FileRole::Labels, "it is an image, ." + format};
     } else if (format == "json") {
       roles[i] = role_of_json(files[i].bytes);
-    } else if (format == "csv" || format == "txt") {
+    } else if (is_table_format(format)) {
       roles[i] = role_of_table(files[i].bytes);
     } else if (is_mesh(files[i].name)) {
+      if (is_line(files[i].bytes, format)) {
+        roles[i] = {FileRole::Annulus, "it has lines and no surface"};
+        continue;
+      }
+      if (part == NamedPart::Annulus) {
+        rings.push_back(i);
+        continue;
+      }
       meshes.push_back(i);
       if (part == NamedPart::Anterior || part == NamedPart::Posterior)
         roles[i] = {role_of(*part), "its name says so"};
@@ -133,9 +162,11 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
     }
     const bool is_leaflet = part == NamedPart::Anterior || part == NamedPart::Posterior;
     if (roles[i].role == FileRole::None && part && !is_leaflet &&
-        (format == "json" || format == "csv"))
+        (format == "json" || is_table_format(format)))
       roles[i] = {role_of(*part), "its name says so"};
   }
+  if (meshes.empty()) std::swap(meshes, rings);  // both leaflets and the annulus in one file
+  for (const std::size_t ring : rings) roles[ring] = {FileRole::Annulus, "its name says so"};
   guess_meshes(meshes, roles);
   return roles;
 }
@@ -148,6 +179,12 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string path = "/files/" + std::to_string(i);
     const FileRole role = roles[i].role;
+    if (role == FileRole::None && part_of_file(files[i].name) == NamedPart::OtherLeaflet) {
+      problems.add(ErrorCode::Unsupported, path,
+                   "is by its name a leaflet of another valve, septal, tricuspid, aortic or "
+                   "pulmonary; a mitral valve has an anterior and a posterior one");
+      continue;
+    }
     if (role == FileRole::None) {
       problems.add(
           ErrorCode::Unsupported, path,
@@ -156,20 +193,22 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
           "chordae or tips; or give it by its option (--leaflet, --annulus, ...)");
       continue;
     }
-    if (const auto [other, is_first] = first.try_emplace(role, i); !is_first) {
+    if (const auto [other, is_first] = first.try_emplace(role, i);
+        !is_first &&
+        !(is_leaflet(role) && is_scallop(files[i].name) && is_scallop(files[other->second].name))) {
       problems.add(ErrorCode::BadReference, path,
                    std::string("is ") + words_of(role) + ", as is file " +
                        std::to_string(other->second + 1) + "; must be one of each");
       continue;
     }
-    const bool skirt =
-        role == FileRole::Anterior && roles[i].reason.find("skirt") != std::string::npos;
     sorted.decisions.push_back({"files",
                                 "file " + std::to_string(i + 1) + " of " +
                                     std::to_string(files.size()) + " (." +
                                     format_of(files[i].name).substr(0, 8) + ") is " +
-                                    (skirt ? "both leaflets" : words_of(role)),
-                                roles[i].reason, roles[i].look});
+                                    (roles[i].reason == kBoth      ? "both leaflets"
+                                     : roles[i].reason == kUnnamed ? "one of the leaflets"
+                                                                   : words_of(role)),
+                                roles[i].reason});
   }
   if (!problems.empty()) return std::move(problems).take();
   const auto place = [&](FileRole role, const std::string& pointer, auto take) {
@@ -179,9 +218,23 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
     take(std::move(files[found->second]));
   };
   ImportFiles& parts = sorted.files;
-  const auto leaflet = [&](NamedFile file) { parts.leaflets.push_back(std::move(file)); };
-  place(FileRole::Anterior, "/leaflets/0", leaflet);
-  place(FileRole::Posterior, "/leaflets/" + std::to_string(parts.leaflets.size()), leaflet);
+  const bool guessed = std::any_of(roles.begin(), roles.end(),
+                                   [](const GuessedRole& of) { return of.reason == kUnnamed; });
+  parts.order.claim = guessed ? LeafletClaim::Guessed : LeafletClaim::Named;
+  if (guessed) parts.order.numbered[0] = "as their order says";
+  for (const FileRole side : {FileRole::Anterior, FileRole::Posterior}) {
+    if (side == FileRole::Posterior) parts.posterior_from = parts.leaflets.size();
+    std::string called;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (roles[i].role != side) continue;
+      called += (called.empty() ? "" : ", ") + std::to_string(i + 1);
+      sorted.places.emplace_back("/leaflets/" + std::to_string(parts.leaflets.size()), i);
+      parts.leaflets.push_back(std::move(files[i]));
+    }
+    parts.order.called[side == FileRole::Anterior ? 0 : 1] =
+        (called.find(',') == std::string::npos ? "file " : "files ") + called;
+  }
+  parts.order.swap = "give them by --leaflet, the anterior one first";
   place(FileRole::Labels, "/labels", [&](NamedFile file) { parts.labels = std::move(file); });
   place(FileRole::Annulus, "/annulus", [&](NamedFile file) { parts.annulus = std::move(file); });
   place(FileRole::Chordae, "/chordae", [&](NamedFile file) { parts.chordae = std::move(file); });

@@ -11,11 +11,10 @@ enum class FileRole { Labels, Anterior, Posterior, Annulus, Chordae, Tips, None 
 struct GuessedRole {
   FileRole role = FileRole::None;
   std::string reason;
-  bool look = false;  ///< only the order in which files were given tells
 };
 
-/// For each file. Label maps by extension; markups and tables by what they hold; meshes by name, two without names in the
-/// order given, one alone is a skirt of both leaflets (Anterior).
+/// For each file. Label maps by extension; markups and tables by what they hold; meshes by name, several of one leaflet if
+/// they are its scallops; of two without names leaflet_order.h tells which is which; one alone holds both (Anterior).
 std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files);
 
 struct SortedFiles {

@@ -1,12 +1,14 @@
 #include "io/exchange/import_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
 #include "core/valve/problem_list.h"
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
+#include "io/exchange/mesh_leaflets.h"
 #include "io/exchange/stated_axes.h"
 #include "io/mesh/import_readers.h"
 
@@ -37,11 +39,16 @@ std::string format_of(const std::string& file_name) {
 }
 
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format) {
+  if (format == "obj" || format == "vtk") return read_mesh_line(text, format);
   if (format != "json") return read_points_csv(text);
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
   for (const Markup& markup : *markups)
-    if (markup.type == MarkupType::ClosedCurve) return markup.points_mm;
+    if (markup.type == MarkupType::ClosedCurve) {
+      Expected<Points> drawn = drawn_closed_curve(markup);
+      if (!drawn) return Error{drawn.errors()[0].code, "/markups", drawn.errors()[0].message};
+      return drawn;
+    }
   return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
 }
 
@@ -84,7 +91,7 @@ class AxesOfFiles {
       parts_ = part;
     } else {
       parts_ += ", " + part;
-      decisions_.back().decision = parts_ + ": " + done;
+      decisions_.back().value = parts_ + ": " + done;
     }
     done_ = done;
     return axes == PatientAxes::RAS;
@@ -116,8 +123,55 @@ void take_labels(const ImportFiles& files, const ImportReading& reading, ImportS
     return;
   }
   source.leaflets = std::move(parts->leaflets);
+  source.order = std::move(parts->order);
+  source.unit = LengthUnit::Millimetre;
   if (!files.annulus) source.annulus_mm = std::move(parts->annulus_mm);
   source.decisions.insert(source.decisions.end(), parts->decisions.begin(), parts->decisions.end());
+}
+
+}  // namespace
+
+namespace {
+
+/// One file: a skirt, or both leaflets and perhaps the annulus as its parts.
+void take_parts(const ImportFiles& files, const ImportReading& reading, AxesOfFiles& axes,
+                ImportSource& source, ProblemList& problems) {
+  const NamedFile& file = files.leaflets[0];
+  std::optional<MeshParts> parts;
+  take(read_mesh_parts(file.bytes, format_of(file.name), reading.packed), "/leaflets/0", problems,
+       parts);
+  const bool turned = axes.turned(file, "leaflets");
+  if (!parts) return;
+  std::optional<MeshLeaflets> found;
+  take(leaflets_of(*std::move(parts)), "/leaflets/0", problems, found);
+  if (!found) return;
+  source.leaflets = std::move(found->leaflets);
+  source.order = std::move(found->order);
+  source.decisions.insert(source.decisions.end(), found->decisions.begin(), found->decisions.end());
+  if (turned)
+    for (TriangleMesh& mesh : source.leaflets) turn_axes(mesh.vertices_mm);
+  if (files.annulus || found->annulus_mm.rows() == 0) return;
+  source.annulus_mm = std::move(found->annulus_mm);
+  if (turned) turn_axes(source.annulus_mm);
+}
+
+/// A file for each leaflet, or several for one.
+void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesOfFiles& axes,
+                   ImportSource& source, ProblemList& problems) {
+  std::array<std::vector<TriangleMesh>, 2> sides;
+  for (std::size_t i = 0; i < files.leaflets.size(); ++i) {
+    const NamedFile& file = files.leaflets[i];
+    TriangleMesh mesh;
+    take((reading.packed ? read_packed_mesh : read_mesh)(file.bytes, format_of(file.name)),
+         "/leaflets/" + std::to_string(i), problems, mesh);
+    if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
+    const bool posterior = files.posterior_from ? i >= *files.posterior_from : i > 0;
+    sides[posterior ? 1 : 0].push_back(std::move(mesh));
+  }
+  for (std::vector<TriangleMesh>& side : sides)
+    if (!side.empty())
+      source.leaflets.push_back(side.size() == 1 ? std::move(side[0]) : joined(side));
+  source.order = files.order;
 }
 
 }  // namespace
@@ -126,13 +180,10 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   ImportSource source;
   ProblemList problems;
   AxesOfFiles axes(reading.axes);
-  for (std::size_t i = 0; i < files.leaflets.size(); ++i) {
-    const NamedFile& file = files.leaflets[i];
-    TriangleMesh& mesh = source.leaflets.emplace_back();
-    take((reading.packed ? read_packed_mesh : read_mesh)(file.bytes, format_of(file.name)),
-         "/leaflets/" + std::to_string(i), problems, mesh);
-    if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
-  }
+  if (files.leaflets.size() == 1)
+    take_parts(files, reading, axes, source, problems);
+  else
+    take_leaflets(files, reading, axes, source, problems);
   if (files.labels)
     take_labels(files, reading, source, problems);
   else if (reading.series)

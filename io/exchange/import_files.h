@@ -13,12 +13,16 @@ namespace coapt {
 
 struct ImportFiles {
   std::vector<NamedFile>
-      leaflets;  ///< OBJ, PLY, STL, VTK: the anterior, then the posterior leaflet, or one skirt
-  std::optional<NamedFile> annulus = {};  ///< CSV, or a closed curve of Slicer (.mrk.json)
+      leaflets;  ///< OBJ, PLY, STL, VTK: the anterior, then the posterior leaflet, or one file: a skirt, or both as its parts
+  std::optional<NamedFile> annulus =
+      {};  ///< a table, a closed curve of Slicer (.mrk.json), or lines of OBJ or VTK
   std::optional<NamedFile> chordae = {};  ///< CSV or JSON; none: they are to be drawn
   std::optional<NamedFile> tips = {};     ///< of such chordae: CSV, or labelled points of Slicer
   std::optional<NamedFile> labels =
       {};  ///< NRRD or NIfTI, instead of leaflets; also of the annulus if that has no file
+  std::optional<std::size_t> posterior_from =
+      {};                   ///< the first of the posterior leaflet's files; none: the second
+  LeafletOrder order = {};  ///< of leaflets with a file each
 };
 
 /// What the files leave open.
@@ -33,10 +37,10 @@ struct ImportReading {
 /// "obj" of "Leaflet.OBJ": by its extension in lower case.
 std::string format_of(const std::string& file_name);
 
-/// A closed loop. @param format "json": markups of Slicer, the first closed curve; else lines x,y,z
+/// A closed loop. @param format "json": markups of Slicer, the first closed curve; "obj", "vtk": lines; else a table of x, y, z
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format);
 
-/// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else lines papillary,x,y,z.
+/// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else a table.
 Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format);
 
 /// For import_valve(), with the decisions that reading took. Errors: all problems of all files, with pointers that begin with

@@ -2,111 +2,342 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/exchange/part_names.h"
 #include "io/image/label_curve.h"
 #include "io/image/label_surface.h"
+#include "io/image/label_voxels.h"
 
 namespace coapt {
 namespace {
 
-struct Wanted {
-  NamedPart part;
+constexpr std::size_t kMostLookedAt = 16;  // labels without a role whose shape is looked at
+
+/// Numbers that other programs and public sets give the leaflets. Geometry decides; these say whose numbers they are, and which two
+/// of several labels are meant.
+struct Convention {
+  int anterior, posterior;
   const char* name;
-  int number;  ///< without any other hint
-  std::optional<int> given;
+};
+constexpr std::array kConventions = {
+    Convention{1, 2, "as coapt and most tools number them"},
+    Convention{2, 1, "as the public set MVSeg2023 numbers them"},
 };
 
-struct Chosen {
+enum class Part { Anterior, Posterior, Annulus };
+constexpr std::array kParts = {Part::Anterior, Part::Posterior, Part::Annulus};
+
+const char* option_of(Part part) {
+  return part == Part::Anterior ? "anterior" : part == Part::Posterior ? "posterior" : "annulus";
+}
+
+const char* words_of(Part part) {
+  return part == Part::Anterior    ? "anterior leaflet"
+         : part == Part::Posterior ? "posterior leaflet"
+                                   : "annulus";
+}
+
+NamedPart named(Part part) {
+  return part == Part::Anterior    ? NamedPart::Anterior
+         : part == Part::Posterior ? NamedPart::Posterior
+                                   : NamedPart::Annulus;
+}
+
+/// How thick a label is, in voxels, and how many it has.
+struct LabelShape {
+  double thickness = 0.0;
+  Index voxels = 0;
+};
+
+/// Whether it may be a leaflet beside `others`: about as thick and as large.
+bool is_like(const LabelShape& shape, const LabelShape& other) {
+  const double thick = shape.thickness / other.thickness;
+  const double large = static_cast<double>(shape.voxels) / static_cast<double>(other.voxels);
+  return thick > 0.4 && thick < 2.5 && large > 0.1 && large < 10.0;
+}
+
+/// A label of the map and what is known of it.
+struct Candidate {
   LabelAt label;
-  const char* reason;
-  bool look = false;  ///< its number alone chose it
+  int number = 0;  ///< as the user says it
+  std::string_view name;
+  std::optional<NamedPart> meant;  ///< by its name
+  std::optional<Part> part;
+  const char* reason = "";
 };
 
-std::string numbers_in(const std::vector<LabelAt>& labels) {
-  std::string text;
-  for (const LabelAt& label : labels) {
-    if (text.size() > 100) return text + ", ...";
-    text += (text.empty() ? "" : ", ") + std::to_string(label.value);
+/// Where all layers hold one label and two the same: by layer.
+std::vector<Candidate> candidates(const LabelMap& map) {
+  std::vector<Candidate> all;
+  std::set<int> values, layers;
+  for (const LabelAt& label : labels_of(map)) {
+    Candidate& candidate = all.emplace_back();
+    candidate.label = label;
+    candidate.number = label.value;
+    values.insert(label.value);
+    layers.insert(label.layer);
+    for (const LabelName& name : map.names)
+      if (name.layer == label.layer && name.value == label.value) candidate.name = name.name;
+    candidate.meant = part_named(candidate.name);
   }
-  return text.empty() ? "none" : text;
+  if (values.size() < all.size() && layers.size() == all.size())
+    for (Candidate& candidate : all) candidate.number = candidate.label.layer + 1;
+  return all;
 }
 
-std::optional<LabelAt> label_of_number(const std::vector<LabelAt>& labels, int number) {
-  for (const LabelAt& label : labels)
-    if (label.value == number) return label;
-  return {};
-}
-
-bool is_there(const std::vector<LabelAt>& labels, const LabelAt& wanted) {
-  return std::any_of(labels.begin(), labels.end(), [&](const LabelAt& label) {
-    return label.layer == wanted.layer && label.value == wanted.value;
-  });
-}
-
-std::optional<LabelAt> label_of_name(const LabelMap& map, const std::vector<LabelAt>& labels,
-                                     NamedPart part) {
-  for (const LabelName& name : map.names)
-    if (part_named(name.name) == part && is_there(labels, {name.layer, name.value}))
-      return LabelAt{name.layer, name.value};
+/// What is known of such numbers; empty: nothing.
+std::string convention(int anterior, int posterior) {
+  for (const Convention& known : kConventions)
+    if (known.anterior == anterior && known.posterior == posterior) return known.name;
   return {};
 }
 
 class LabelChoice {
  public:
   LabelChoice(const LabelMap& map, ProblemList& problems)
-      : map_(map),
-        labels_(labels_of(map)),
-        problems_(problems),
-        named_(label_of_name(map, labels_, NamedPart::Anterior) ||
-               label_of_name(map, labels_, NamedPart::Posterior)) {}
+      : map_(map), all_(candidates(map)), problems_(problems) {}
 
-  std::optional<Chosen> choose(const Wanted& wanted) {
-    if (wanted.given) {
-      if (const auto label = label_of_number(labels_, *wanted.given))
-        return Chosen{*label, "as given"};
-      miss(wanted, "is " + std::to_string(*wanted.given) + ", which no voxel has");
-      return {};
+  void take_given(Part part, const std::vector<int>& numbers) {
+    for (const int number : numbers) {
+      const auto found = std::find_if(all_.begin(), all_.end(),
+                                      [&](const Candidate& c) { return c.number == number; });
+      if (found == all_.end()) {
+        problems_.add(ErrorCode::BadReference, pointer(part),
+                      "is " + std::to_string(number) +
+                          ", which no voxel has; the file has labels " +
+                          listed([](const Candidate&) { return true; }));
+      } else if (found->part) {
+        problems_.add(
+            ErrorCode::BadReference, "/label_numbers",
+            "has label " + std::to_string(number) + " for two parts; each must have its own");
+      } else {
+        found->part = part;
+        found->reason = "as given";
+      }
     }
-    if (const auto label = label_of_name(map_, labels_, wanted.part))
-      return Chosen{*label, "by the name that the file gives it"};
-    if (!named_)
-      if (const auto label = label_of_number(labels_, wanted.number))
-        return Chosen{*label,
-                      "without names 1 is the anterior leaflet, 2 the posterior one, 3 the annulus",
-                      true};
-    if (wanted.part != NamedPart::Annulus)
-      miss(wanted, std::string("is missing: no label is named the ") + wanted.name +
-                       (named_ ? "" : ", and none is " + std::to_string(wanted.number)));
-    return {};
+  }
+
+  /// By name, unless the part was given.
+  void take_named(Part part) {
+    if (!of(part).empty()) return;
+    const bool mitral = std::any_of(all_.begin(), all_.end(), [&](const Candidate& c) {
+      return c.meant == named(part) && is_mitral(c.name);
+    });
+    std::size_t taken = 0;
+    for (Candidate& candidate : all_) {
+      if (candidate.part || candidate.meant != named(part)) continue;
+      if (mitral && !is_mitral(candidate.name) && !is_scallop(candidate.name)) continue;
+      // Several labels of one part are its scallops; of several whole leaflets the first is taken and the others are left over.
+      if (taken > 0 && !is_scallop(candidate.name)) continue;
+      candidate.part = part;
+      candidate.reason = "by the name that the file gives it";
+      ++taken;
+    }
+  }
+
+  /// Leaflets of another valve beside ones that need not be mitral.
+  void refuse_other_valves(bool given) {
+    const auto other = [](const Candidate& c) { return c.meant == NamedPart::OtherLeaflet; };
+    if (given || std::none_of(all_.begin(), all_.end(), other)) return;
+    const auto leaflets = of(Part::Anterior);
+    if (!leaflets.empty() && is_mitral(leaflets[0]->name)) return;
+    problems_.add(
+        ErrorCode::Unsupported, "/labels",
+        "has a leaflet of another valve by its name, septal, tricuspid, aortic or pulmonary "
+        "(label " +
+            listed(other) +
+            "); a mitral valve has an anterior and a posterior one. Of several valves say "
+            "which labels are the mitral one's (--label anterior=N, --label posterior=N)");
+  }
+
+  /// The closed band among labels whose names say nothing.
+  void find_annulus() {
+    if (!of(Part::Annulus).empty()) return;
+    std::size_t looked_at = 0;
+    for (Candidate& candidate : all_) {
+      if (candidate.part || candidate.meant || ++looked_at > kMostLookedAt) continue;
+      if (!label_curve(map_, candidate.label)) continue;
+      candidate.part = Part::Annulus;
+      candidate.reason = "it is the only closed band";
+      return;
+    }
+  }
+
+  /// The two leaflets among the labels that nothing names, where neither or one is known.
+  void find_leaflets() {
+    std::vector<Candidate*> free;
+    for (Candidate& candidate : all_)
+      if (!candidate.part && !candidate.meant) free.push_back(&candidate);
+    const bool anterior = !of(Part::Anterior).empty(), posterior = !of(Part::Posterior).empty();
+    if (anterior && posterior) return;
+    const std::size_t wanted = anterior || posterior ? 1 : 2;
+    if (free.size() > wanted)
+      free = leaflet_like(free, anterior ? Part::Anterior : Part::Posterior);
+    if (free.size() > wanted) return too_many(free);
+    if (free.size() < wanted) {
+      for (const Part part : {Part::Anterior, Part::Posterior})
+        if (of(part).empty())
+          problems_.add(ErrorCode::BadReference, pointer(part),
+                        std::string("is missing: no label is named the ") + words_of(part) +
+                            ", and none else is free to be one; the file has labels " +
+                            listed([](const Candidate&) { return true; }));
+      return;
+    }
+    if (wanted == 1) {
+      free[0]->part = anterior ? Part::Posterior : Part::Anterior;
+      free[0]->reason = "the other label is the other leaflet";
+      return;
+    }
+    free[0]->part = Part::Anterior;
+    free[1]->part = Part::Posterior;
+    found_both_ = true;
+  }
+
+  std::vector<const Candidate*> of(Part part) const {
+    std::vector<const Candidate*> found;
+    for (const Candidate& candidate : all_)
+      if (candidate.part == part) found.push_back(&candidate);
+    return found;
+  }
+
+  /// Labels without a role: what nothing names may be a leaflet that is missed.
+  void tell_left_over(std::vector<ImportDecision>& decisions) const {
+    const auto is_known = [](const Candidate& c) {
+      return !c.part && c.meant && c.meant != NamedPart::OtherLeaflet &&
+             c.meant != NamedPart::Anterior && c.meant != NamedPart::Posterior;
+    };
+    const auto is_unknown = [&](const Candidate& c) { return !c.part && !is_known(c); };
+    const auto tell = [&](const auto& which, const char* why, bool look) {
+      const auto count = std::count_if(all_.begin(), all_.end(), which);
+      if (count == 0) return;
+      decisions.push_back({"labels",
+                           std::to_string(count) + " of " + std::to_string(all_.size()) +
+                               " labels not used: " + listed(which),
+                           why, look});
+    };
+    tell(is_known, "by their names they are other parts of the heart", false);
+    tell(is_unknown, "nothing tells that they are of the leaflets or the annulus", true);
+  }
+
+  /// "label 4", "labels 2, 4 and 5".
+  std::string called(Part part) const {
+    const auto labels = of(part);
+    std::string text = labels.size() == 1 ? "label " : "labels ";
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      text += (i == 0                   ? ""
+               : i + 1 == labels.size() ? " and "
+                                        : ", ") +
+              std::to_string(labels[i]->number);
+    return text;
+  }
+
+  LeafletOrder order() const {
+    LeafletOrder order;
+    const auto anterior = of(Part::Anterior), posterior = of(Part::Posterior);
+    const auto is_given = [](const Candidate* c) {
+      return std::string_view(c->reason) == "as given";
+    };
+    order.claim = found_both_ ? LeafletClaim::Guessed
+                  : std::any_of(anterior.begin(), anterior.end(), is_given) ||
+                          std::any_of(posterior.begin(), posterior.end(), is_given)
+                      ? LeafletClaim::Given
+                      : LeafletClaim::Named;
+    order.called = {called(Part::Anterior), called(Part::Posterior)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto &first = i == 0 ? anterior : posterior, &second = i == 0 ? posterior : anterior;
+      if (first.size() == 1 && second.size() == 1)
+        order.numbered[i] = convention(first[0]->number, second[0]->number);
+    }
+    order.swap = "say";
+    for (const auto& [labels, name] : {std::pair(posterior, "anterior"), {anterior, "posterior"}})
+      for (const Candidate* label : labels)
+        order.swap += std::string(" --label ") + name + '=' + std::to_string(label->number);
+    return order;
   }
 
  private:
-  void miss(const Wanted& wanted, const std::string& what) {
-    const std::string name = wanted.part == NamedPart::Anterior    ? "anterior"
-                             : wanted.part == NamedPart::Posterior ? "posterior"
-                                                                   : "annulus";
-    problems_.add(ErrorCode::BadReference, "/label_numbers/" + name,
-                  what + "; the file has labels " + numbers_in(labels_));
+  static std::string pointer(Part part) { return std::string("/label_numbers/") + option_of(part); }
+
+  template <class Which>
+  std::string listed(const Which& which) const {
+    std::string text;
+    for (const Candidate& candidate : all_) {
+      if (!which(candidate)) continue;
+      if (text.size() > 100) return text + ", ...";
+      text += (text.empty() ? "" : ", ") + std::to_string(candidate.number);
+    }
+    return text.empty() ? "none" : text;
+  }
+
+  LabelShape shape_of(const Candidate& candidate) const {
+    const LabelVoxels voxels(map_, candidate.label);
+    const LabelBox box = voxels.box();
+    const Index crossings = voxels.crossings(box);
+    return {
+        2.0 * static_cast<double>(box.count) / static_cast<double>(std::max<Index>(1, crossings)),
+        box.count};
+  }
+
+  /// Those that are like the known leaflet or, without one, like label 1 or, if that is much thicker, the thinnest.
+  std::vector<Candidate*> leaflet_like(const std::vector<Candidate*>& free, Part known) const {
+    if (free.size() > kMostLookedAt) return free;
+    std::vector<LabelShape> shapes;
+    for (const Candidate* candidate : free) shapes.push_back(shape_of(*candidate));
+    LabelShape like;
+    if (const auto leaflet = of(known); !leaflet.empty()) {
+      like = shape_of(*leaflet[0]);
+    } else {
+      like = *std::min_element(
+          shapes.begin(), shapes.end(),
+          [](const LabelShape& a, const LabelShape& b) { return a.thickness < b.thickness; });
+      for (std::size_t i = 0; i < free.size(); ++i)
+        if (free[i]->number == kConventions[0].anterior && is_like(shapes[i], like))
+          like = shapes[i];
+    }
+    std::vector<Candidate*> found;
+    for (std::size_t i = 0; i < free.size(); ++i)
+      if (is_like(shapes[i], like)) found.push_back(free[i]);
+    return found;
+  }
+
+  void too_many(const std::vector<Candidate*>& free) {
+    const auto is_free = [&](const Candidate& c) {
+      return std::any_of(free.begin(), free.end(), [&](const Candidate* f) { return f == &c; });
+    };
+    std::string why;
+    if (of(Part::Annulus).empty())
+      for (const Candidate* candidate : free)
+        if (const auto line = label_curve(map_, candidate->label); !line && candidate->number == 3)
+          why = "; label 3 is not the annulus either: it " + line.errors()[0].message;
+    problems_.add(
+        ErrorCode::BadReference, "/label_numbers",
+        "is missing: " + listed(is_free) +
+            " could each be a leaflet, and a mitral valve has two; say which labels they are "
+            "(--label anterior=N, --label posterior=N, several of each if they are scallops)" +
+            why);
   }
 
   const LabelMap& map_;
-  std::vector<LabelAt> labels_;
+  std::vector<Candidate> all_;
   ProblemList& problems_;
-  bool named_;
+  bool found_both_ = false;
 };
 
-/// Two parts of one label.
-void check_different(const std::vector<std::optional<Chosen>>& chosen, ProblemList& problems) {
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k)
-      if (chosen[i] && chosen[k] && chosen[i]->label.value == chosen[k]->label.value &&
-          chosen[i]->label.layer == chosen[k]->label.layer)
-        problems.add(ErrorCode::BadReference, "/label_numbers",
-                     "has label " + std::to_string(chosen[i]->label.value) +
-                         " for two parts; each must have its own");
+/// With the voxels of several labels as the first of them.
+LabelMap merged(const LabelMap& map, const std::vector<const Candidate*>& labels) {
+  LabelMap one = map;
+  const auto volume = static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]);
+  const LabelAt& first = labels[0]->label;
+  for (const Candidate* other : labels)
+    for (std::size_t i = 0; i < volume; ++i)
+      if (map.voxels[static_cast<std::size_t>(other->label.layer) * volume + i] ==
+          other->label.value)
+        one.voxels[static_cast<std::size_t>(first.layer) * volume + i] =
+            static_cast<std::uint16_t>(first.value);
+  return one;
 }
 
 std::string frame_words(const LabelMap& map) {
@@ -119,35 +350,50 @@ std::string frame_words(const LabelMap& map) {
 
 Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& numbers,
                                  bool with_annulus) {
-  const std::array wanted = {
-      Wanted{NamedPart::Anterior, "anterior leaflet", 1, numbers.anterior},
-      Wanted{NamedPart::Posterior, "posterior leaflet", 2, numbers.posterior},
-      Wanted{NamedPart::Annulus, "annulus", 3, numbers.annulus}};
   ProblemList problems;
   LabelChoice choice(map, problems);
-  std::vector<std::optional<Chosen>> chosen;
-  for (const Wanted& part : wanted)
-    if (with_annulus || part.part != NamedPart::Annulus) chosen.push_back(choice.choose(part));
-  check_different(chosen, problems);
+  choice.take_given(Part::Anterior, numbers.anterior);
+  choice.take_given(Part::Posterior, numbers.posterior);
+  choice.take_given(Part::Annulus, numbers.annulus);
+  if (!problems.empty()) return std::move(problems).take();
+  for (const Part part : kParts) choice.take_named(part);
+  choice.refuse_other_valves(!numbers.anterior.empty() && !numbers.posterior.empty());
+  choice.find_annulus();
+  choice.find_leaflets();
   if (!problems.empty()) return std::move(problems).take();
   LabelParts parts;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (!chosen[i]) continue;
-    parts.decisions.push_back(
-        {"labels", "label " + std::to_string(chosen[i]->label.value) + " is the " + wanted[i].name,
-         chosen[i]->reason, chosen[i]->look});
+  parts.order = choice.order();
+  for (const Part part : kParts) {
+    const auto labels = choice.of(part);
+    if (labels.empty()) continue;
+    if (part == Part::Annulus && !with_annulus) {
+      parts.decisions.push_back({"labels", choice.called(part) + " not used",
+                                 "it is the annulus, which came as a file of its own"});
+      continue;
+    }
+    if (part == Part::Annulus || labels.size() > 1 || parts.order.claim != LeafletClaim::Guessed)
+      parts.decisions.push_back(
+          {"labels",
+           choice.called(part) + (labels.size() == 1 ? " is the " : " are the ") + words_of(part),
+           labels[0]->reason});
+    std::optional<LabelMap> together;
+    if (labels.size() > 1) together = merged(map, labels);
+    const LabelMap& whole = together ? *together : map;
     const auto take = [&](const Errors& errors) {
       for (const Error& error : errors) problems.add(error.code, "/labels", error.message);
     };
-    if (wanted[i].part == NamedPart::Annulus) {
-      Expected<Points> line = label_curve(map, chosen[i]->label);
+    if (part == Part::Annulus) {
+      Expected<Points> line = label_curve(whole, labels[0]->label);
       line ? void(parts.annulus_mm = *std::move(line)) : take(line.errors());
     } else {
-      Expected<TriangleMesh> surface = label_surface(map, chosen[i]->label);
+      Expected<TriangleMesh> surface = label_surface(whole, labels[0]->label);
       surface ? void(parts.leaflets.push_back(*std::move(surface))) : take(surface.errors());
     }
   }
   if (!problems.empty()) return std::move(problems).take();
+  choice.tell_left_over(parts.decisions);
+  if (!map.frame_doubt.empty())
+    parts.decisions.push_back({"labels", map.frame_doubt, "the header says two things", true, 0.5});
   parts.decisions.push_back(
       {"labels", frame_words(map) + (map.placed ? ", in the patient's frame, LPS" : ""),
        map.placed

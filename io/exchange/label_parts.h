@@ -1,27 +1,32 @@
 // The parts of a valve out of a label map: leaflets as closed shells, the annulus as a line.
+//
+// Which label is what: as given; else by the names that the file gives its labels; else the closed band is the annulus, and two
+// labels that are thin as leaflets are the leaflets, of which leaflet_order.h tells which is which. Several labels may be one part
+// (P1, P2 and P3). A leaflet of another valve is refused, or left out where the mitral ones are named so. What is not
+// used is said.
 #pragma once
-
-#include <optional>
 
 #include "io/image/label_map.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {
 
-/// Which label is what; none: by the names that the file gives its labels, else 1, 2 and 3.
+/// Which labels are what, 1 to 65535; several make one part; none: found. Where layers of a map hold one label each, and
+/// all the same number, the labels count from 1 by layer.
 struct LabelNumbers {
-  std::optional<int> anterior, posterior, annulus;  ///< 1 to 65535
+  std::vector<int> anterior, posterior, annulus;
 };
 
 struct LabelParts {
   std::vector<TriangleMesh>
-      leaflets;       ///< the anterior, then the posterior one; closed, oriented outwards
+      leaflets;  ///< the anterior, then the posterior one, as `order` says; closed, oriented outwards
+  LeafletOrder order;
   Points annulus_mm;  ///< empty if there is no such label
   std::vector<ImportDecision> decisions;
 };
 
-/// Errors: labels that are not there ("/label_numbers/anterior"), and those of label_surface() and label_curve().
-/// No decision repeats a name that stands in the file.
+/// Errors: labels that are not there ("/label_numbers/anterior"), more of them than leaflets, and those of label_surface() and
+/// label_curve(). No decision repeats a name that stands in the file.
 Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& numbers,
                                  bool with_annulus);
 

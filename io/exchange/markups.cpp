@@ -1,5 +1,7 @@
 #include "io/exchange/markups.h"
 
+#include <Eigen/LU>
+
 #include "io/json/json_reader.h"
 #include "io/json/parse_json.h"
 #include "io/json/version.h"
@@ -16,6 +18,9 @@ constexpr std::string_view kVersions =
     "Schema/markups-schema-v1.";
 constexpr MarkupType kTypes[] = {MarkupType::Fiducial, MarkupType::Line, MarkupType::Curve,
                                  MarkupType::ClosedCurve};
+
+constexpr Index kLeastControls = 6;
+constexpr Index kDense = 60, kDrawn = 240;  // points of a curve: not splined, of a spline
 
 Json control_points(const Markup& markup) {
   Json points = Json::array();
@@ -118,6 +123,7 @@ Expected<std::vector<Markup>> read_markups(std::string_view text) {
         Markup& markup = markups.emplace_back();
         markup.type = known;
         markup.name = text_of(place.value, "name", "");
+        markup.straight = text_of(place.value, "curveType", "spline") == "linear";
         if (const auto points = read_member(place, "controlPoints"))
           read_control_points(*points, is_ras ? -1.0 : 1.0, markup);
       }
@@ -125,6 +131,39 @@ Expected<std::vector<Markup>> read_markups(std::string_view text) {
   }
   if (!problems.empty()) return std::move(problems).take();
   return markups;
+}
+
+Expected<Points> drawn_closed_curve(const Markup& curve) {
+  const Points& control = curve.points_mm;
+  const Index n = control.rows();
+  if (n < kLeastControls)
+    return Error{ErrorCode::MissingField, "",
+                 "has a ClosedCurve with " + std::to_string(n) +
+                     " placed points, must have at least 6 that are placed (positionStatus "
+                     "defined)"};
+  if (curve.straight || n >= kDense) return control;
+  // Second derivatives m of the spline: m[i-1] + 4 m[i] + m[i+1] = 6 (p[i-1] - 2 p[i] + p[i+1]), round the curve.
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
+  Points right(n, 3);
+  for (Index i = 0; i < n; ++i) {
+    const Index before = (i + n - 1) % n, after = (i + 1) % n;
+    system(i, i) = 4.0;
+    system(i, before) += 1.0;
+    system(i, after) += 1.0;
+    right.row(i) = 6.0 * (control.row(before) - 2.0 * control.row(i) + control.row(after));
+  }
+  const Points second = system.partialPivLu().solve(right);
+  const Index steps = (kDrawn + n - 1) / n;
+  Points drawn(n * steps, 3);
+  for (Index i = 0; i < n; ++i)
+    for (Index k = 0; k < steps; ++k) {
+      const Index after = (i + 1) % n;
+      const double u = static_cast<double>(k) / static_cast<double>(steps), v = 1.0 - u;
+      drawn.row(i * steps + k) =
+          v * control.row(i) + u * control.row(after) +
+          ((v * v * v - v) * second.row(i) + (u * u * u - u) * second.row(after)) / 6.0;
+    }
+  return drawn;
 }
 
 const char* to_string(MarkupType type) {

@@ -15,8 +15,13 @@ struct Markup {
   MarkupType type = MarkupType::Fiducial;
   std::string name;
   std::vector<std::string> labels;  ///< one for each point
-  Points points_mm;                 ///< n x 3, LPS
+  Points points_mm;                 ///< n x 3, LPS: control points
+  bool straight = false;            ///< a curve that leads straight from each to the next
 };
+
+/// A closed curve as Slicer draws it: a periodic cubic spline through its control points, by their number. Of 60 points or more the
+/// points themselves, which lose less than 0.05 % of its length. Errors without a path: fewer than 6 placed points.
+Expected<Points> drawn_closed_curve(const Markup& curve);
 
 enum class MarkupAxes { Valve, Patient };
 

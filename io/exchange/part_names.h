@@ -6,10 +6,17 @@
 
 namespace coapt {
 
-enum class NamedPart { Anterior, Posterior, Annulus, Chordae, Tips };
+/// Other: of the mitral valve or the heart, but nothing that an import takes. OtherLeaflet: of another valve.
+enum class NamedPart { Anterior, Posterior, Annulus, Chordae, Tips, Other, OtherLeaflet };
 
-/// "Anterior leaflet", "AMVL", "valve_ant.stl", "A.ply"; in any case. None: nothing, or both leaflets, or a part that no
-/// import takes (a commissure).
+/// "Anterior leaflet", "AMVL", "valve_ant.stl", "A.ply", "P2" (a scallop is of its leaflet, a commissural one of the posterior);
+/// in any case. None: nothing, or both leaflets.
 std::optional<NamedPart> part_named(std::string_view name);
+
+/// Whether it names the mitral valve.
+bool is_mitral(std::string_view name);
+
+/// Whether it names a scallop, of which several make a leaflet: "P1", "A2 segment", "commissure".
+bool is_scallop(std::string_view name);
 
 }  // namespace coapt

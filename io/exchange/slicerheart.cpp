@@ -125,6 +125,10 @@ void choose_leaflets(const Found& found, ImportSource& source, ProblemList& prob
         .push_back(name);
   if (anterior.size() == 1 && posterior.size() == 1) {
     source.leaflets = {found.surfaces.at(anterior[0]), found.surfaces.at(posterior[0])};
+    source.order = {LeafletClaim::Named,
+                    {"the surface named anterior", "the surface named posterior"},
+                    {},
+                    "name them the other way round"};
   } else if (anterior.empty() && posterior.empty() && others.size() == 1) {
     source.leaflets = {found.surfaces.at(others[0])};
   } else {
@@ -139,12 +143,20 @@ void choose_leaflets(const Found& found, ImportSource& source, ProblemList& prob
 
 bool under_pressure(const Markup& markup) { return has(markup.name, "under pressure"); }
 
+void take_curve(const Markup& markup, Points& points_mm, ProblemList& problems) {
+  Expected<Points> drawn = drawn_closed_curve(markup);
+  if (drawn)
+    points_mm = *std::move(drawn);
+  else
+    add_below(problems, "", drawn.errors());
+}
+
 void choose_annulus(const Found& found, ImportSource& source, ProblemList& problems) {
   std::vector<const Markup*> curves;
   for (const Markup& markup : found.markups) {
     if (markup.type != MarkupType::ClosedCurve || has(markup.name, "ring:")) continue;
     if (under_pressure(markup)) {
-      source.pressed_annulus_mm = markup.points_mm;
+      take_curve(markup, source.pressed_annulus_mm, problems);
     } else {
       curves.push_back(&markup);
     }
@@ -152,8 +164,7 @@ void choose_annulus(const Found& found, ImportSource& source, ProblemList& probl
   if (curves.size() > 1)
     std::erase_if(curves, [](const Markup* curve) { return !has(curve->name, "annulus"); });
   if (curves.size() == 1) {
-    source.annulus_mm = curves[0]->points_mm;
-    return;
+    return take_curve(*curves[0], source.annulus_mm, problems);
   }
   problems.add(ErrorCode::MissingField, "",
                "has " + std::to_string(curves.size()) +

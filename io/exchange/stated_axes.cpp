@@ -1,5 +1,7 @@
 #include "io/exchange/stated_axes.h"
 
+#include "io/mesh/csv_table.h"
+
 namespace coapt {
 namespace {
 
@@ -10,13 +12,32 @@ void turn(Vec3& point_mm) { point_mm.head<2>() *= -1.0; }
 
 }  // namespace
 
+namespace {
+
+/// Slicer's "# CoordinateSystem = LPS" (0: RAS, 1: LPS), or columns that are named after the axes.
+std::optional<PatientAxes> axes_of_table(std::string_view head) {
+  constexpr std::string_view kKey = "CoordinateSystem = ";
+  if (const std::size_t at = head.find(kKey); at != std::string_view::npos) {
+    const std::string_view system = head.substr(at + kKey.size(), 3);
+    if (system.starts_with("LPS") || system.starts_with('1')) return PatientAxes::LPS;
+    if (system.starts_with("RAS") || system.starts_with('0')) return PatientAxes::RAS;
+  }
+  const Expected<CsvTable> table = read_csv(head.substr(0, head.rfind('\n')), {"x"});
+  if (!table || table->has("x")) return {};
+  if (table->has("r") && table->has("a")) return PatientAxes::RAS;
+  if (table->has("l") && table->has("p")) return PatientAxes::LPS;
+  return {};
+}
+
+}  // namespace
+
 const char* to_string(PatientAxes axes) { return axes == PatientAxes::LPS ? "LPS" : "RAS"; }
 
 std::optional<PatientAxes> stated_axes(std::string_view bytes) {
   const std::string_view head = bytes.substr(0, kHeadBytes);
   const bool lps = head.find("SPACE=LPS") != std::string_view::npos;
   const bool ras = head.find("SPACE=RAS") != std::string_view::npos;
-  if (lps == ras) return {};
+  if (lps == ras) return axes_of_table(head);
   return lps ? PatientAxes::LPS : PatientAxes::RAS;
 }
 

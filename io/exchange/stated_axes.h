@@ -12,7 +12,8 @@ namespace coapt {
 enum class PatientAxes { LPS, RAS };
 const char* to_string(PatientAxes axes);
 
-/// What 3D Slicer writes at the head of VTK, PLY, STL and OBJ files: SPACE=LPS or SPACE=RAS. None if it is not there.
+/// What 3D Slicer writes at the head of VTK, PLY, STL and OBJ files: SPACE=LPS or SPACE=RAS; of tables
+/// what .fcsv says, and columns r, a, s or l, p, s. None if it is not there.
 std::optional<PatientAxes> stated_axes(std::string_view bytes);
 
 /// Between RAS and LPS either way: half a turn about z.

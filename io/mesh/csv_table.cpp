@@ -1,44 +1,143 @@
 #include "io/mesh/csv_table.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 
 namespace coapt {
 namespace {
 
 constexpr std::size_t kMaxRows = 100'000;
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::array<std::string_view, 6> kFormats = {"csv", "txt", "tsv", "dat", "xyz", "fcsv"};
+constexpr std::array<std::string_view, 4> kUnitEndings = {"_mm", "_cm", "_in", "_m"};
 
-/// Whether fields are between semicolons; their numbers may then have decimal commas, one more than there are semicolons.
-bool has_semicolons(std::string_view row) {
-  const auto semicolons = std::count(row.begin(), row.end(), ';');
-  return semicolons >= 2 && std::count(row.begin(), row.end(), ',') <= semicolons + 1;
+/// What is between fields; a blank stands for any number of blanks and tabs.
+char separator_of(std::string_view row) {
+  if (row.find(';') != std::string_view::npos) return ';';
+  if (row.find('\t') != std::string_view::npos) return '\t';
+  if (row.find(',') == std::string_view::npos) return ' ';
+  // "1,5 2,5 3,5": decimal commas, because between commas there would be two numbers in a field.
+  for (const std::string_view field : fields(row))
+    if (field.find(' ') != std::string_view::npos && to_number(field.substr(0, field.find(' '))))
+      return ' ';
+  return ',';
+}
+
+std::string_view unquoted(std::string_view field) {
+  field = trimmed(field);
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+    field = trimmed(field.substr(1, field.size() - 2));
+  return field;
+}
+
+std::vector<std::string_view> split(std::string_view row, char separator) {
+  std::vector<std::string_view> found;
+  if (separator == ' ') {
+    found = words(row);
+  } else {
+    for (std::size_t start = 0; found.size() < kMaxWords;) {
+      const std::size_t end = row.find(separator, start);
+      found.push_back(row.substr(start, end - start));
+      if (end == std::string_view::npos) break;
+      start = end + 1;
+    }
+  }
+  for (std::string_view& field : found) field = unquoted(field);
+  return found;
+}
+
+/// Without the mark of a comment, if it is one.
+std::string_view without_mark(std::string_view line, bool& comment) {
+  const std::size_t mark = line.starts_with("//")                           ? 2
+                           : line.starts_with('#') || line.starts_with('%') ? 1
+                                                                            : 0;
+  comment = mark > 0;
+  return trimmed(line.substr(mark));
+}
+
+bool has_all(const std::vector<std::string>& names, std::string_view letters) {
+  return std::all_of(letters.begin(), letters.end(), [&](char letter) {
+    return std::find(names.begin(), names.end(), std::string(1, letter)) != names.end();
+  });
+}
+
+/// Of a line that has one of `columns`, whatever is between its fields; else none. Where x is looked for, Slicer's r, a, s and
+/// l, p, s will do.
+std::vector<std::string> names_in(std::string_view line,
+                                  std::initializer_list<std::string_view> columns) {
+  constexpr std::string_view kSlicersColumns = "columns =";
+  if (line.starts_with(kSlicersColumns)) line = trimmed(line.substr(kSlicersColumns.size()));
+  std::vector<std::string> names;
+  for (const std::string_view field : split(line, separator_of(line)))
+    names.push_back(plain_name(field));
+  const bool points = std::find(columns.begin(), columns.end(), "x") != columns.end();
+  if (std::find_first_of(names.begin(), names.end(), columns.begin(), columns.end()) ==
+          names.end() &&
+      !(points && (has_all(names, "ras") || has_all(names, "lps"))))
+    names.clear();
+  return names;
 }
 
 }  // namespace
 
+bool CsvTable::has(std::string_view column) const {
+  return std::find(names.begin(), names.end(), column) != names.end();
+}
+
+std::optional<double> CsvTable::number(std::string_view field) const {
+  if (!decimal_commas) return to_number(field);
+  std::string text(field);
+  std::replace(text.begin(), text.end(), ',', '.');
+  return to_number(text);
+}
+
+bool is_table_format(std::string_view format) {
+  return std::find(kFormats.begin(), kFormats.end(), format) != kFormats.end();
+}
+
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char letter : unquoted(name))
+    plain += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (const std::size_t unit = plain.find_first_of("[("); unit != std::string::npos)
+    plain = std::string(trimmed(std::string_view(plain).substr(0, unit)));
+  for (const std::string_view unit : kUnitEndings)
+    if (plain.size() > unit.size() && plain.ends_with(unit)) {
+      plain.resize(plain.size() - unit.size());
+      break;
+    }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const char between : {':', '_'})
+      if (plain == std::string("points") + between + std::to_string(axis))
+        return std::string(1, "xyz"[axis]);
+  return plain;
+}
+
 Expected<CsvTable> read_csv(std::string_view text,
                             std::initializer_list<std::string_view> columns) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   CsvTable table;
+  char separator = 0;
   LineScanner lines(text);
   while (const auto line = lines.next()) {
-    std::string_view content = trimmed(line->text);
-    const bool comment = content.starts_with('#');
-    if (comment) content = trimmed(content.substr(1));
+    bool comment = false;
+    const std::string_view content = without_mark(trimmed(line->text), comment);
     if (content.empty()) continue;
-    auto row = fields(content);
-    if (table.rows.empty() &&
-        std::find_first_of(row.begin(), row.end(), columns.begin(), columns.end()) != row.end()) {
-      table.names = std::move(row);
-    } else if (!comment) {
-      if (table.rows.empty() && has_semicolons(content))
-        return Error{
-            ErrorCode::WrongType, "",
-            "line " + std::to_string(line->number) +
-                " has semicolons between its fields; must have commas, and points in numbers"};
-      table.rows.push_back({line->number, std::move(row)});
+    if (table.rows.empty()) {
+      if (auto names = names_in(content, columns); !names.empty()) {
+        table.names = std::move(names);
+        continue;
+      }
     }
-    if (table.rows.size() > kMaxRows) {
+    if (comment) continue;
+    if (separator == 0) {
+      separator = separator_of(content);
+      table.decimal_commas = separator != ',';
+    }
+    table.rows.push_back({line->number, split(content, separator)});
+    if (table.rows.size() > kMaxRows)
       return Error{ErrorCode::OutOfRange, "", "has more than the 100,000 rows accepted"};
-    }
   }
   return table;
 }

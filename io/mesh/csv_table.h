@@ -1,4 +1,5 @@
-// Comma-separated tables with '#' comments and, perhaps, names of columns.
+// Tables as spreadsheets and other programs write them: fields between commas, semicolons, tabs or blanks, comments, and,
+// perhaps, names of columns.
 #pragma once
 
 #include <initializer_list>
@@ -11,18 +12,29 @@ namespace coapt {
 
 struct CsvRow {
   int line = 0;
-  std::vector<std::string_view> fields;
+  std::vector<std::string_view> fields;  ///< trimmed, without quotes
 };
 
 /// Views into the text it was read from.
 struct CsvTable {
-  std::vector<std::string_view> names;  ///< of the columns; empty if they are not given
+  std::vector<std::string>
+      names;  ///< of the columns, plain_name() of each; empty if they are not given
   std::vector<CsvRow> rows;
+  bool decimal_commas = false;  ///< "1,5" is a number
+
+  bool has(std::string_view column) const;
+  std::optional<double> number(std::string_view field) const;
 };
 
+/// "csv", "txt", "tsv", "dat", "xyz" or "fcsv" (Slicer's old lists of points).
+bool is_table_format(std::string_view format);
+
+/// As columns are compared: in lower case, without quotes and units ("X [mm]", "x_mm" and ParaView's "Points:0" are x).
+std::string plain_name(std::string_view name);
+
 /// The names are those of the last line before the first row, comment or not, that has one of
-/// `columns` as a field. At most 100,000 rows;
-/// fields between semicolons, as spreadsheets in some languages write them, are one error.
+/// `columns` as a field or, where x is one, the axes r, a, s or l, p, s. Comments begin with #, % or //. Numbers may have decimal commas where fields are between something else. At
+/// most 100,000 rows.
 Expected<CsvTable> read_csv(std::string_view text, std::initializer_list<std::string_view> columns);
 
 }  // namespace coapt

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
@@ -164,7 +165,8 @@ Vec3 centroid(const TriangleMesh& mesh) {
 
 struct Frame {
   Vec3 origin_mm;
-  Eigen::Matrix3d axes;  // columns x, y, z
+  Eigen::Matrix3d axes;        // columns x, y, z
+  ImportDecision atrium = {};  // which side of the annulus it is on; empty: the tips tell
   Vec3 into(const Vec3& point_mm) const { return axes.transpose() * (point_mm - origin_mm); }
   Points into(const Points& points_mm) const {
     return (points_mm.rowwise() - origin_mm.transpose()) * axes;
@@ -191,25 +193,40 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source, bo
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
   const std::vector<ImportedTip> tips = all_tips(source);
   Vec3 z = solver.eigenvectors().col(0), x;
+  Frame frame{origin, {}, {}};
   if (tips.empty()) {
-    const Vec3 hanging = centroid(source.leaflets[0]) + centroid(source.leaflets[1]) - 2.0 * origin;
-    if (z.dot(hanging) > 0.0) z = -z;
+    const Vec3 middle = 0.5 * (centroid(source.leaflets[0]) + centroid(source.leaflets[1]));
+    double hanging_mm = -z.dot(middle - origin);
+    if (hanging_mm < 0.0) z = -z;
+    hanging_mm = std::abs(hanging_mm);
     x = across_sheets(source.leaflets, z);
     if (!(x.norm() > 1.0))
       return Error{ErrorCode::BadGeometry, "/leaflets",
                    "lie on each other; an anterior and a posterior sheet orient the valve"};
-    if (closed) {  // such leaflets hang below the annulus or billow above it
-      const double saddle_mm = saddle_towards(z, x.normalized(), centred);
-      if (!(std::abs(saddle_mm) > kLeastSaddle_mm))
-        return Error{
-            ErrorCode::MissingField, "/tips",
-            "is missing: of closed leaflets in so flat an annulus only papillary tips tell "
-            "the atrium from the ventricle"};
-      if (saddle_mm < 0.0) {
-        z = -z;
-        x = -x;
-      }
+    const double saddle_mm = saddle_towards(z, x.normalized(), centred);
+    const bool saddle_tells = std::abs(saddle_mm) > kLeastSaddle_mm;
+    // Closed leaflets hang below the annulus or billow above it; of open ones the saddle is asked where they hardly hang.
+    const bool hanging_tells = !closed && hanging_mm >= kLeastHanging_mm;
+    if (!hanging_tells && !saddle_tells)
+      return Error{ErrorCode::MissingField, "/tips",
+                   "is missing: " +
+                       std::string(closed ? "of closed leaflets in so flat an annulus"
+                                          : "of leaflets that hang " + significant(hanging_mm, 2) +
+                                                " mm below so flat an annulus in the mean") +
+                       " only papillary tips tell the atrium from the ventricle"};
+    const bool agree = saddle_mm > 0.0 || !saddle_tells;
+    if (!hanging_tells && saddle_mm < 0.0) {
+      z = -z;
+      x = -x;
     }
+    frame.atrium = {
+        "atrium",
+        std::string("on the side that ") +
+            (hanging_tells ? "the leaflets hang away from" : "the annulus's saddle rises to"),
+        "they hang " + significant(hanging_mm, 2) + " mm in the mean, the saddle rises " +
+            significant(2.0 * std::abs(saddle_mm), 2) + " mm" +
+            (agree ? (saddle_tells ? " to the same side" : "") : " to the other side"),
+        !agree && (hanging_tells || hanging_mm >= kLeastHanging_mm), agree ? 1.0 : 0.7};
   } else {
     const Vec3 lateral = mean_tip(tips, Side::Anterolateral);
     const Vec3 medial = mean_tip(tips, Side::Posteromedial);
@@ -219,17 +236,24 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source, bo
       return Error{ErrorCode::BadGeometry, source.chordae.empty() ? "/tips" : "/chordae",
                    "has both papillary tips within 1 mm of each other; must be apart, they orient "
                    "the valve"};
+    const double hanging_mm = -z.dot(centroid(joined(source.leaflets)) - origin);
+    if (!closed && hanging_mm < -kLeastHanging_mm)
+      frame.atrium = {"atrium", "on the side that the papillary tips are not",
+                      "the leaflets hang " + significant(-hanging_mm, 2) +
+                          " mm to the other side in the mean",
+                      true, 0.6};
   }
-  Frame frame{origin, {}};
   frame.axes << x.normalized(), z.cross(x.normalized()), z;
   return frame;
 }
 
 void check_framed(const FramedSource& framed, ProblemList& problems) {
+  bool told = false;  // one place will do
   for (Eigen::Index i = 0; i < framed.annulus_mm.rows(); ++i) {
     const Vec3 a = framed.annulus_mm.row(i),
                b = framed.annulus_mm.row((i + 1) % framed.annulus_mm.rows());
     if (a.x() * b.y() - a.y() * b.x() > 0.0) continue;
+    if (std::exchange(told, true)) continue;
     problems.add(
         ErrorCode::BadGeometry, at("/annulus_mm", i),
         "must lead counter-clockwise round the annulus axis, like the points before it: an "
@@ -301,6 +325,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
   if (!problems.empty()) return std::move(problems).take();
   const double turned = Eigen::AngleAxisd(frame->axes).angle() * 180.0 / std::numbers::pi;
   framed.patient = {frame->axes, frame->origin_mm};
+  framed.atrium = frame->atrium;
   framed.change = {
       "frame",
       "moved by " + significant(frame->origin_mm.norm(), 3) + " mm and turned by " +

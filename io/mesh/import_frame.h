@@ -21,6 +21,7 @@ struct FramedSource {
   GivenLandmarks landmarks;
   PatientFrame patient;  ///< from here back to the source's coordinates
   ImportDecision change;
+  ImportDecision atrium;  ///< which side of the annulus it is on; nothing where the tips tell
 };
 
 /// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus

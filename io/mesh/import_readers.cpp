@@ -1,5 +1,6 @@
 // Points and chordae from tables and JSON.
 //
+// Points: columns x, y, z by name in any order (r, a, s and l, p, s of Slicer's tables, too); without names three columns.
 // Chordae in CSV: columns by name (id, papillary, ins_x, ins_y, ins_z, tip_x, tip_y, tip_z, and if
 // there is one kind), others are passed over; without names id,leaflet,papillary,ins_x,...,tip_z in
 // this order. Chordae in JSON: {"chordae": [{"id", "papillary", "insertion_mm", "tip_mm",
@@ -37,6 +38,7 @@ ChordaKind kind_at(std::size_t choice) {
 
 /// One row of a table: its fields by name of column, and where problems with them are listed.
 struct RowReader {
+  const CsvTable& table;
   const CsvRow& row;
   std::map<std::string_view, std::size_t> columns;
   std::string path;
@@ -50,7 +52,7 @@ struct RowReader {
   }
 
   double coordinate(std::string_view column) const {
-    const auto number = to_number(field(column));
+    const auto number = table.number(field(column));
     if (!number) {
       add(ErrorCode::WrongType, column, "must be a number");
     } else if (!(*number >= kCoordinateMm.min && *number <= kCoordinateMm.max)) {
@@ -73,9 +75,9 @@ struct RowReader {
 };
 
 /// A reader of row `i`; none, and a problem, if it has too few fields.
-std::optional<RowReader> reader(const CsvTable& table, const std::vector<std::string_view>& names,
+std::optional<RowReader> reader(const CsvTable& table, const std::vector<std::string>& names,
                                 std::size_t i, const std::string& path, ProblemList& problems) {
-  RowReader row{table.rows[i], {}, path + '/' + std::to_string(i), problems};
+  RowReader row{table, table.rows[i], {}, path + '/' + std::to_string(i), problems};
   for (std::size_t column = 0; column < names.size(); ++column) {
     row.columns.try_emplace(names[column], column);
   }
@@ -90,9 +92,9 @@ std::optional<RowReader> reader(const CsvTable& table, const std::vector<std::st
 Expected<std::vector<ImportedChorda>> read_chordae_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"papillary"});
   if (!table) return table.errors();
-  const std::vector<std::string_view> needed = {"id",    "papillary", "ins_x", "ins_y",
-                                                "ins_z", "tip_x",     "tip_y", "tip_z"};
-  std::vector<std::string_view> names = table->names;
+  const std::vector<std::string> needed = {"id",    "papillary", "ins_x", "ins_y",
+                                           "ins_z", "tip_x",     "tip_y", "tip_z"};
+  std::vector<std::string> names = table->names;
   if (names.empty()) {
     names = needed;
     names.insert(names.begin() + 1, "leaflet");
@@ -101,9 +103,9 @@ Expected<std::vector<ImportedChorda>> read_chordae_csv(std::string_view text) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   ProblemList problems;
-  for (const std::string_view name : needed) {
+  for (const std::string& name : needed) {
     if (has(name)) continue;
-    problems.add(ErrorCode::MissingField, "/chordae", "has no column " + std::string(name));
+    problems.add(ErrorCode::MissingField, "/chordae", "has no column " + name);
   }
   if (!problems.empty()) return std::move(problems).take();
   std::vector<ImportedChorda> chordae;
@@ -162,38 +164,84 @@ Expected<std::vector<ImportedChorda>> read_chordae_json(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+/// Names of the coordinates, as the columns of a table call them; "x", "y" and "z" of one without names.
+Expected<std::vector<std::string>> point_columns(const CsvTable& table, std::size_t before) {
+  if (table.names.empty()) {
+    std::size_t fields = table.rows.empty() ? 3 + before : table.rows[0].fields.size();
+    while (fields > 3 + before && table.rows[0].fields[fields - 1].empty()) --fields;
+    if (fields <= 3 + before) return std::vector<std::string>{"x", "y", "z"};
+    return Error{ErrorCode::MissingField, "",
+                 "line " + std::to_string(table.rows[0].line) + ": has " + std::to_string(fields) +
+                     " columns without names, must have " + std::to_string(3 + before) +
+                     ", or names in its first line, x, y and z among them"};
+  }
+  for (const char* names : {"xyz", "ras", "lps"})
+    if (table.has(std::string(1, names[0])) && table.has(std::string(1, names[1])) &&
+        table.has(std::string(1, names[2])))
+      return std::vector<std::string>{{names[0]}, {names[1]}, {names[2]}};
+  return Error{ErrorCode::MissingField, "", "has names of columns, but not all of x, y and z"};
+}
+
+/// All names of a table, or `otherwise`, by place.
+std::vector<std::string> names_or(const CsvTable& table,
+                                  const std::vector<std::string>& otherwise) {
+  return table.names.empty() ? otherwise : table.names;
+}
+
+/// "AL", "PM-2", "anterolateral tip"; in any case.
+std::optional<Side> side_named(std::string_view text) {
+  const std::string name = plain_name(text);
+  if (name.starts_with("al") || name.starts_with("anterolateral")) return Side::Anterolateral;
+  if (name.starts_with("pm") || name.starts_with("posteromedial")) return Side::Posteromedial;
+  return {};
+}
+
+}  // namespace
+
 Expected<Points> read_points_csv(std::string_view text) {
-  const Expected<CsvTable> table = read_csv(text, {"x", "x_mm"});
+  const Expected<CsvTable> table = read_csv(text, {"x"});
   if (!table) return table.errors();
+  const Expected<std::vector<std::string>> axes = point_columns(*table, 0);
+  if (!axes) return axes.errors();
   ProblemList problems;
   Points points(std::ssize(table->rows), 3);
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
-    const auto row = reader(*table, {"x", "y", "z"}, i, "/points", problems);
+    const auto row = reader(*table, names_or(*table, *axes), i, "/points", problems);
     if (!row) continue;
-    points.row(static_cast<Eigen::Index>(i)) << row->coordinate("x"), row->coordinate("y"),
-        row->coordinate("z");
+    points.row(static_cast<Eigen::Index>(i)) << row->coordinate((*axes)[0]),
+        row->coordinate((*axes)[1]), row->coordinate((*axes)[2]);
   }
   if (!problems.empty()) return std::move(problems).take();
   return points;
 }
 
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
-  const Expected<CsvTable> table = read_csv(text, {"papillary"});
+  const Expected<CsvTable> table = read_csv(text, {"papillary", "label"});
   if (!table) return table.errors();
+  const Expected<std::vector<std::string>> axes = point_columns(*table, 1);
+  if (!axes) return axes.errors();
+  const std::string side = table->has("label") ? "label" : "papillary";
   ProblemList problems;
   std::vector<ImportedTip> tips;
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
-    const auto row = reader(*table, {"papillary", "x", "y", "z"}, i, "/tips", problems);
+    const auto row = reader(*table, names_or(*table, {side, (*axes)[0], (*axes)[1], (*axes)[2]}), i,
+                            "/tips", problems);
     if (!row) continue;
-    const Side side = side_at(row->choice("papillary", kSides));
-    tips.push_back({side, {row->coordinate("x"), row->coordinate("y"), row->coordinate("z")}});
+    const auto named = side_named(row->field(side));
+    if (!named)
+      row->add(ErrorCode::BadReference, side, "must be AL or PM, anterolateral or posteromedial");
+    tips.push_back(
+        {named.value_or(Side::Anterolateral),
+         {row->coordinate((*axes)[0]), row->coordinate((*axes)[1]), row->coordinate((*axes)[2])}});
   }
   if (!problems.empty()) return std::move(problems).take();
   return tips;
 }
 
 Expected<std::vector<ImportedChorda>> read_chordae(std::string_view text, std::string_view format) {
-  if (format == "csv") return read_chordae_csv(text);
+  if (is_table_format(format)) return read_chordae_csv(text);
   if (format == "json") return read_chordae_json(text);
   return Error{ErrorCode::Unsupported, "",
                "chordae format '" + std::string(format.substr(0, 20)) + "', accepted: csv, json"};

@@ -8,14 +8,14 @@
 
 namespace coapt {
 
-/// Lines x,y,z in millimetres; '#' comments; a first line x,y,z or x_mm,y_mm,z_mm is passed over.
+/// Columns x, y and z by name (csv_table.h), in any order beside others, or three columns without names.
 Expected<Points> read_points_csv(std::string_view text);
 
-/// Lines papillary,x,y,z in millimetres, papillary AL or PM; '#' comments; a first line of these names is passed over.
+/// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 
-/// @param format "csv" or "json".
-/// CSV: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is
+/// @param format is_table_format() or "json".
+/// Table: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is
 /// one, kind (marginal, strut, basal), named in a comment or in the first line; other columns are
 /// passed over. Without names: id,leaflet,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, more
 /// fields are passed over. JSON: {"chordae": [{"id": "1", "papillary": "AL", "kind": "marginal",

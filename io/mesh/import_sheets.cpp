@@ -13,13 +13,14 @@ namespace coapt {
 namespace {
 
 constexpr double kThickOfArea = 0.6;  // with an opposite side, of a shell that has an edge
+constexpr const char *kAnterior = "anterior leaflet", *kPosterior = "posterior leaflet";
 constexpr int kToldHoles = 5;
 constexpr double kFurthest_mm = 1e6;       // further away, products of coordinates lose the valve
 constexpr double kThickestSheet_mm = 4.0;  // above it, sides of a folded sheet are meant
 
 std::string which(const std::vector<TriangleMesh>& leaflets, std::size_t i) {
   if (leaflets.size() == 1) return "skirt";
-  return i == 0 ? "anterior leaflet" : "posterior leaflet";
+  return i == 0 ? kAnterior : kPosterior;
 }
 
 std::string counted(int count, const char* what) {
@@ -36,6 +37,9 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
   if (sheet.collapsed > 0)
     told.push_back({name, counted(sheet.collapsed, "collapsed triangle") + " dropped",
                     "two of their corners lie in the same place"});
+  if (sheet.repeated > 0)
+    told.push_back({name, counted(sheet.repeated, "repeated triangle") + " dropped",
+                    "they have the corners of others"});
   if (sheet.turned > 0)
     told.push_back({name, counted(sheet.turned, "triangle") + " turned over",
                     "they faced the other way than their neighbours"});
@@ -115,6 +119,30 @@ Errors flatten(TriangleMesh& mesh, std::size_t i, std::size_t outlines, const st
 }
 
 }  // namespace
+
+std::vector<ImportDecision> drop_loose_points(ImportSource& source) {
+  std::vector<ImportDecision> told;
+  for (std::size_t i = 0; i < source.leaflets.size(); ++i) {
+    TriangleMesh& mesh = source.leaflets[i];
+    if (mesh.faces.rows() == 0 || mesh.faces.minCoeff() < 0 ||
+        mesh.faces.maxCoeff() >= mesh.vertices_mm.rows())
+      continue;
+    if (const int loose = drop_loose_points(mesh); loose > 0)
+      told.push_back({which(source.leaflets, i), counted(loose, "point") + " left out",
+                      "no triangle has them"});
+  }
+  return told;
+}
+
+void swap_names(SheetPreparation& prepared) {
+  for (ImportDecision& decision : prepared.decisions) {
+    if (decision.subject == kAnterior)
+      decision.subject = kPosterior;
+    else if (decision.subject == kPosterior)
+      decision.subject = kAnterior;
+  }
+  for (MeasuredThickness& of : prepared.thickness) of.leaflet = 1 - of.leaflet;
+}
 
 void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems) {
   if (leaflets.empty() || leaflets.size() > 2) {

@@ -12,8 +12,17 @@ struct SheetPreparation {
   std::vector<MeasuredThickness> thickness;  ///< of thick leaflets
 };
 
+/// Of all leaflets, before anything is measured of them.
+std::vector<ImportDecision> drop_loose_points(ImportSource& source);
+
+/// After the two leaflets have changed places.
+void swap_names(SheetPreparation& prepared);
+
 /// One or two, with triangles but not too many, indices and coordinates as they must be: problems at "/leaflets".
 void check_leaflets(const std::vector<TriangleMesh>& leaflets, ProblemList& problems);
+
+/// How far sheets hang below the annulus in the mean, at least, to tell the atrium from the ventricle.
+inline constexpr double kLeastHanging_mm = 2.0;
 
 /// None of these problems.
 bool is_sound(const std::vector<TriangleMesh>& leaflets);

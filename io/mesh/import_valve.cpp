@@ -10,7 +10,9 @@
 #include "io/mesh/import_frame.h"
 #include "io/mesh/import_sheets.h"
 #include "io/mesh/judged_state.h"
+#include "io/mesh/leaflet_order.h"
 #include "io/mesh/mesh_decisions.h"
+#include "io/mesh/plausibility.h"
 #include "io/mesh/skirt.h"
 #include "io/mesh/skirt_mesh.h"
 #include "io/mesh/source_units.h"
@@ -81,11 +83,12 @@ Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips,
 }  // namespace
 
 std::string sentence(const ImportDecision& of) {
-  return of.about + ": " + of.decision + (of.reason.empty() ? "" : "; " + of.reason);
+  return of.subject + ": " + of.value + (of.reason.empty() ? "" : "; " + of.reason);
 }
 
 const char* to_string(LengthUnit unit) {
   if (unit == LengthUnit::Metre) return "m";
+  if (unit == LengthUnit::Inch) return "in";
   return unit == LengthUnit::Centimetre ? "cm" : "mm";
 }
 
@@ -95,11 +98,19 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   ProblemList problems;
   check_options(source, options, problems);
   if (!problems.empty()) return std::move(problems).take();
-  const LengthUnit unit = options.units.value_or(unit_of(source));
+  const std::vector<ImportDecision> loose = drop_loose_points(source);
+  const UnitReading read =
+      options.units ? UnitReading{*options.units, "as given", false, 1.0} : unit_of(source);
+  const LengthUnit unit = read.unit;
+  if (Errors errors = impossible_size(source, unit); !errors.empty()) return errors;
   scale(source, in_mm(unit));
-  const bool ring_given = source.annulus_mm.rows() > 0;
+  const Expected<std::vector<ImportDecision>> contour = contour_checks(source.annulus_mm);
+  if (!contour) return contour.errors();
   Expected<SheetPreparation> prepared = prepare_sheets(source, options.budget);
   if (!prepared) return prepared.errors();
+  const Expected<SettledOrder> order = settle_leaflet_order(source, options.trust_labels);
+  if (!order) return order.errors();
+  if (order->swapped) swap_names(*prepared);
   const JudgedState state = judged_state(source, options, prepared->thickness);
   const Expected<FramedSource> framed =
       into_import_frame(source, options.chordae_seed.has_value(), state.closed);
@@ -122,14 +133,17 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
       state.closed
           ? closed_decisions(*skirt, options.hidden_mm, valve)
           : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value(), options.budget);
-  std::vector<ImportDecision> first = {{"units", to_string(unit),
-                                        options.units ? "as given"
-                                        : ring_given  ? "by the annulus's circumference"
-                                                      : "by the leaflets' size"},
-                                       framed->change};
+  std::vector<ImportDecision> first = {
+      {"units", to_string(unit), read.reason, read.look, read.confidence}, framed->change};
+  if (!framed->atrium.subject.empty()) first.push_back(framed->atrium);
+  first.insert(first.end(), loose.begin(), loose.end());
+  first.insert(first.end(), order->decisions.begin(), order->decisions.end());
   first.insert(first.end(), prepared->decisions.begin(), prepared->decisions.end());
   first.insert(first.end(), state.decisions.begin(), state.decisions.end());
   decisions.insert(decisions.begin(), first.begin(), first.end());
+  decisions.insert(decisions.end(), contour->begin(), contour->end());
+  const std::vector<ImportDecision> doubts = valve_checks(*framed, *skirt, valve, state.closed);
+  decisions.insert(decisions.end(), doubts.begin(), doubts.end());
   if (const std::string given = given_names(framed->landmarks); !given.empty())
     decisions.push_back({"landmarks", given + " as given", "moved to the annulus"});
   const Expected<double> thickness_mm =

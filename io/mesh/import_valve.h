@@ -9,6 +9,7 @@
 // and tips as those under pressure, unless those are given, too.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,19 +62,36 @@ struct GivenLandmarks {
 };
 
 /// What the numbers of a source are.
-enum class LengthUnit { Millimetre, Centimetre, Metre };
-const char* to_string(LengthUnit unit);  ///< mm, cm, m
+enum class LengthUnit { Millimetre, Centimetre, Inch, Metre };
+const char* to_string(LengthUnit unit);  ///< mm, cm, in, m
 
 /// One thing that an import decided.
 struct ImportDecision {
-  std::string about;     ///< "units", "frame", "mesh", ...
-  std::string decision;  ///< what was taken or made
-  std::string reason;    ///< why, or by what rule; empty where that is the decision itself
-  bool look = false;     ///< a person should check it against the images
+  std::string subject;      ///< "units", "frame", "mesh", ...
+  std::string value;        ///< what was taken or made
+  std::string reason;       ///< why, or by what rule; empty where that is the value itself
+  bool look = false;        ///< a person should check it against the images
+  double confidence = 1.0;  ///< 0 to 1, of what is judged from several readings; else 1
 };
 
-/// As the valve's provenance says it: "about: decision; reason".
+/// As the valve's provenance says it: "subject: value; reason".
 std::string sentence(const ImportDecision& of);
+
+/// Who says which sheet is the anterior one.
+enum class LeafletClaim {
+  Given,   ///< the user
+  Named,   ///< names in or of the files
+  Guessed  ///< nobody: the order of files, or label numbers
+};
+
+/// What two sheets are said to be: the first the anterior, the second the posterior leaflet.
+struct LeafletOrder {
+  LeafletClaim claim = LeafletClaim::Given;
+  std::array<std::string, 2> called = {"the first mesh", "the second mesh"};
+  std::array<std::string, 2> numbered =
+      {};  ///< by what convention: of this order, of the other one; may be empty
+  std::string swap = "give the meshes in the other order";  ///< how a user says the opposite
+};
 
 inline constexpr Eigen::Index kMostFaces = 1'000'000;  ///< of a leaflet's mesh
 
@@ -82,6 +100,7 @@ struct ImportSource {
   std::vector<std::string> provenance;
   std::vector<TriangleMesh>
       leaflets;  ///< the anterior, then the posterior one, or one skirt: sheets or thick shells
+  LeafletOrder order = {};    ///< of two
   Points annulus_mm;          ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
@@ -91,6 +110,7 @@ struct ImportSource {
   std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
   std::optional<Tissue> tissue;           ///< else thesis table 2.1, by ImportOptions::reference
   std::optional<double> pressure_kpa;     ///< else 16
+  std::optional<LengthUnit> unit;         ///< that the files state; none: guessed
 };
 
 struct ImportOptions {
@@ -111,6 +131,7 @@ struct ImportOptions {
   /// Of the valve's tissue; none: that of Tissue, whatever thick leaflets measure, because segmentation thickens.
   std::optional<double> thickness_mm = {};
   bool thickness_measured = false;  ///< the mean of thick leaflets, instead of thickness_mm
+  bool trust_labels = false;  ///< leaflets are what they are said to be, whatever they look like
   /// Of the closure that chordae are drawn by; `cancelled` is asked in all long loops and, once true, must stay so.
   ClosureBudget budget{};
 };

@@ -5,35 +5,11 @@
 
 #include "core/valve/number_text.h"
 #include "io/mesh/hanging_profile.h"
-#include "io/mesh/mesh_distance.h"
+#include "io/mesh/plausibility.h"
 #include "io/mesh/sheet_repair.h"
 
 namespace coapt {
 namespace {
-
-constexpr int kMaxSamples = 4000;  // for the deviation
-
-struct Deviation {
-  double rms_mm = 0.0, max_mm = 0.0;
-};
-
-/// Of the resampled vertices below the annulus from the sheets, where there is a sheet.
-Deviation deviation(const std::vector<TriangleMesh>& sheets, const Skirt& skirt,
-                    const ClosureBudget& budget) {
-  const int first = skirt.stations, last = static_cast<int>(skirt.vertices_mm.rows());
-  const int stride = 1 + (last - first) / kMaxSamples;
-  Deviation found;
-  int count = 0;
-  for (int v = first; v < last && !budget.is_cancelled(); v += stride) {
-    if (skirt.interpolated[static_cast<std::size_t>(v % skirt.stations)]) continue;
-    const double distance = distance_mm(sheets, skirt.vertices_mm.row(v));
-    found.rms_mm += distance * distance;
-    found.max_mm = std::max(found.max_mm, distance);
-    ++count;
-  }
-  found.rms_mm = std::sqrt(found.rms_mm / std::max(1, count));
-  return found;
-}
 
 ImportDecision landmark_decision(const Skirt& skirt) {
   return {"landmarks",
@@ -72,7 +48,7 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                                            const Valve& valve, bool own_tissue,
                                            const ClosureBudget& budget) {
   const auto bare = std::count(skirt.interpolated.begin(), skirt.interpolated.end(), true);
-  const Deviation off = deviation(source.leaflets, skirt, budget);
+  const TwoWayDistance off = two_way_distance(source.leaflets, valve, budget);
   double input_area = 0.0;
   for (const TriangleMesh& sheet : source.leaflets) input_area += area_mm2(sheet);
   const auto counted = [](auto number) { return std::to_string(number); };
@@ -83,10 +59,13 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                       " mm) x " + counted(skirt.rows) + " rows, " + counted(valve.faces.rows()) +
                       " triangles; smoothed along the annulus by a hat of " +
                       significant(skirt.hat_mm, 3) + " mm to either side, not otherwise",
-                  "distance from the sheets " + significant(off.rms_mm, 3) + " mm RMS, " +
-                      significant(off.max_mm, 3) + " mm at most; area " +
+                  "distance from the sheets " + significant(off.to_sheets_rms_mm, 3) + " mm RMS, " +
+                      significant(off.to_sheets_max_mm, 3) + " mm at most, of the sheets from it " +
+                      significant(off.from_sheets_rms_mm, 3) + " and " +
+                      significant(off.from_sheets_max_mm, 3) + " mm; area " +
                       counted(std::lround(area_mm2({valve.rest_mm, valve.faces}))) +
-                      " mm2 (sheets " + counted(std::lround(input_area)) + " mm2)"});
+                      " mm2 (sheets " + counted(std::lround(input_area)) + " mm2)",
+                  is_far(off), is_far(off) ? 0.5 : 1.0});
   told.push_back({"annulus",
                   "sheets joined to the annulus line; holes and bites bridged, " +
                       significant(skirt.widest_bridge_mm, 3) + " mm at the widest",

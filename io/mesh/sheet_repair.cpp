@@ -65,6 +65,28 @@ int weld(TriangleMesh& mesh) {
   return welded;
 }
 
+/// Of triangles with the same three corners the first stays.
+int drop_repeats(TriangleMesh& mesh) {
+  std::vector<std::array<int, 4>> sorted;  // corners in ascending order, then the face
+  sorted.reserve(static_cast<std::size_t>(mesh.faces.rows()));
+  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    std::array<int, 4> face = {mesh.faces(f, 0), mesh.faces(f, 1), mesh.faces(f, 2),
+                               static_cast<int>(f)};
+    std::sort(face.begin(), face.begin() + 3);
+    sorted.push_back(face);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<bool> kept(sorted.size(), true);
+  int repeats = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (!std::equal(sorted[i].begin(), sorted[i].begin() + 3, sorted[i - 1].begin())) continue;
+    kept[static_cast<std::size_t>(sorted[i][3])] = false;
+    ++repeats;
+  }
+  if (repeats > 0) mesh = part_of(mesh, kept);
+  return repeats;
+}
+
 /// Neighbours lead along their common edge in opposite directions, wherever the surface allows; the face of the smallest
 /// number in each piece stays as it is.
 void turn_alike(RepairedSheet& sheet) {
@@ -183,6 +205,20 @@ Errors mend_holes(RepairedSheet& sheet, std::size_t outlines, const ClosureBudge
 
 }  // namespace
 
+TriangleMesh welded(TriangleMesh mesh) {
+  weld(mesh);
+  return mesh;
+}
+
+int drop_loose_points(TriangleMesh& mesh) {
+  std::vector<bool> used(static_cast<std::size_t>(mesh.vertices_mm.rows()), false);
+  for (const int corner : mesh.faces.reshaped()) used[static_cast<std::size_t>(corner)] = true;
+  const auto loose = static_cast<int>(std::count(used.begin(), used.end(), false));
+  if (loose > 0)
+    mesh = part_of(mesh, std::vector<bool>(static_cast<std::size_t>(mesh.faces.rows()), true));
+  return loose;
+}
+
 Vec3 area_vector(const TriangleMesh& mesh, Eigen::Index face) {
   const Vec3 a = mesh.vertices_mm.row(mesh.faces(face, 0)),
              b = mesh.vertices_mm.row(mesh.faces(face, 1)),
@@ -299,6 +335,7 @@ Expected<RepairedSheet> repaired_sheet(const TriangleMesh& mesh, std::size_t out
   if (sheet.collapsed == mesh.faces.rows())
     return Error{ErrorCode::BadGeometry, "/faces", "has no triangle with an area"};
   if (sheet.collapsed > 0) sheet.mesh = part_of(sheet.mesh, whole);
+  sheet.repeated = drop_repeats(sheet.mesh);
   if (Errors errors = drop_islands(sheet); !errors.empty()) return errors;
   turn_alike(sheet);
   if (Errors errors = mend_holes(sheet, outlines, budget); !errors.empty()) return errors;

@@ -1,6 +1,6 @@
 // Faults of segmented meshes, each named: corners in the same place, faces that are turned over, loose pieces, holes.
 //
-// Mended: corners welded, collapsed triangles dropped, faces turned alike, loose pieces of less than kIslandShare of the
+// Mended: corners welded, collapsed triangles dropped, those that are there twice (sheets with two sides of the same points, too), faces turned alike, loose pieces of less than kIslandShare of the
 // area dropped. A hole is what a boundary loop beside the outline encloses. One of at most kBridged_mm is left to the cuts, which
 // go straight across (leaflet_cut.h; all but the longest cuts across the widest); a wider one is filled by a fan about its centre, up to kWidestHole_mm: across w
 // of a leaflet with a radius of curvature of 15 mm a flat filling strays by w^2 / (8 * 15 mm), 0.3 mm at 6 mm.
@@ -26,7 +26,7 @@ struct SheetHole {
 
 struct RepairedSheet {
   TriangleMesh mesh;
-  int welded = 0, collapsed = 0, turned = 0;
+  int welded = 0, collapsed = 0, repeated = 0, turned = 0;
   int branching_edges = 0;  ///< that more than two triangles share
   int islands = 0;          ///< dropped
   double islands_mm2 = 0.0, area_mm2 = 0.0;
@@ -48,6 +48,12 @@ TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<bool>& kept);
 
 /// The faces across the edges of each face; of more than two at an edge, those next to each other in number.
 std::vector<std::vector<int>> face_neighbours(const Faces& faces);
+
+/// With one vertex for each place.
+TriangleMesh welded(TriangleMesh mesh);
+
+/// Without points that no triangle has. @return how many there were
+int drop_loose_points(TriangleMesh& mesh);
 
 /// Number of each face's piece (faces that share an edge), from 0.
 std::vector<int> face_pieces(const Faces& faces);

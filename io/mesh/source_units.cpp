@@ -1,6 +1,7 @@
 #include "io/mesh/source_units.h"
 
 #include <Eigen/Geometry>
+#include <array>
 
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
@@ -11,7 +12,12 @@ namespace coapt {
 namespace {
 
 constexpr double kMixed = 4.0;  // leaflets and tips lie within one diameter of the annulus
-constexpr double kLongestInMetres = 0.5, kLongestInCentimetres = 15.0;  // of the leaflets' box
+// Where no unit makes a usual length of it.
+constexpr double kLongestInMetres = 0.5, kLongestInCentimetres = 20.0;
+constexpr Range kUsualExtentMm = {30.0, 110.0};  // of the leaflets' box
+constexpr Range kPossibleExtentMm = {10.0, 350.0};
+constexpr std::array kUnits = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch,
+                               LengthUnit::Metre};
 
 /// Diagonal of the box about the points.
 double extent(const Points& points) {
@@ -35,32 +41,82 @@ bool is_circumference_mm(double length) {
 }
 
 double in_mm(LengthUnit unit) {
-  if (unit == LengthUnit::Metre) return 1000.0;
-  return unit == LengthUnit::Centimetre ? 10.0 : 1.0;
+  switch (unit) {
+    case LengthUnit::Millimetre:
+      return 1.0;
+    case LengthUnit::Centimetre:
+      return 10.0;
+    case LengthUnit::Inch:
+      return 25.4;
+    case LengthUnit::Metre:
+      return 1000.0;
+  }
+  return 1.0;
 }
 
-std::optional<LengthUnit> guessed_unit(const Points& annulus) {
-  if (annulus.rows() < 3 || !annulus.allFinite()) return {};
-  const double length = ArcLength(annulus).total_mm();
-  const LengthUnit unit = length < 1.0    ? LengthUnit::Metre
-                          : length < 20.0 ? LengthUnit::Centimetre
-                                          : LengthUnit::Millimetre;
-  if (!is_circumference_mm(in_mm(unit) * length)) return {};
-  return unit;
+namespace {
+
+/// The unit in which a length is one that is usual, and whether no other is.
+UnitReading unit_reading(double length, const Range& usual, const std::string& what) {
+  std::vector<LengthUnit> fitting;
+  for (const LengthUnit unit : kUnits)
+    if (const double mm = in_mm(unit) * length; mm >= usual.min && mm <= usual.max)
+      fitting.push_back(unit);
+  UnitReading found;
+  if (!fitting.empty())
+    found.unit = fitting[0];
+  else
+    found.unit = length < kLongestInMetres        ? LengthUnit::Metre
+                 : length < kLongestInCentimetres ? LengthUnit::Centimetre
+                                                  : LengthUnit::Millimetre;
+  found.reason = "by " + what;
+  // Hardly any imaging program writes inches.
+  found.look = fitting.size() != 1 || found.unit == LengthUnit::Inch;
+  if (!found.look) return found;
+  const auto in = [&](LengthUnit unit) {
+    return significant(in_mm(unit) * length, 3) + " mm if in " + to_string(unit);
+  };
+  found.reason += ", " + in(found.unit);
+  for (const LengthUnit other : kUnits)
+    if (const double mm = in_mm(other) * length;
+        other != found.unit && mm >= 0.3 * usual.min && mm <= 2.0 * usual.max)
+      found.reason += ", " + in(other);
+  found.reason += "; say --units if another is right";
+  found.confidence = fitting.empty() ? 0.5 : 0.8;
+  return found;
 }
 
-LengthUnit unit_of(const ImportSource& source) {
-  if (source.annulus_mm.rows() > 0)
-    return guessed_unit(source.annulus_mm).value_or(LengthUnit::Millimetre);
+/// Diagonal of the box about all leaflets; 0 without any.
+double leaflets_extent(const ImportSource& source) {
   Eigen::AlignedBox3d box;
   for (const TriangleMesh& mesh : source.leaflets)
     if (mesh.vertices_mm.allFinite())
       for (const auto& vertex : mesh.vertices_mm.rowwise()) box.extend(vertex.transpose());
-  if (box.isEmpty()) return LengthUnit::Millimetre;
-  const double diagonal = box.diagonal().norm();
-  return diagonal < kLongestInMetres        ? LengthUnit::Metre
-         : diagonal < kLongestInCentimetres ? LengthUnit::Centimetre
-                                            : LengthUnit::Millimetre;
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+}  // namespace
+
+UnitReading unit_of(const ImportSource& source) {
+  if (source.unit) return {*source.unit, "as the files say", false, 1.0};
+  if (source.annulus_mm.rows() > 0) {
+    if (source.annulus_mm.rows() < 3 || !source.annulus_mm.allFinite()) return {};
+    return unit_reading(ArcLength(source.annulus_mm).total_mm(), kUsualCircumferenceMm,
+                        "the annulus's circumference");
+  }
+  const double size = leaflets_extent(source);
+  if (!(size > 0.0)) return {};
+  return unit_reading(size, kUsualExtentMm, "the leaflets' size");
+}
+
+Errors impossible_size(const ImportSource& source, LengthUnit unit) {
+  const double size_mm = in_mm(unit) * leaflets_extent(source);
+  if (source.annulus_mm.rows() > 0 || !(size_mm > 0.0) ||
+      (size_mm >= kPossibleExtentMm.min && size_mm <= kPossibleExtentMm.max))
+    return {};
+  return {{ErrorCode::BadGeometry, "/leaflets",
+           "span " + significant(size_mm, 3) + " mm if in " + to_string(unit) +
+               ", must span 10 to 350 mm: is the scale right? (--units)"}};
 }
 
 void scale(ImportSource& source, double factor) {

@@ -12,12 +12,22 @@ double in_mm(LengthUnit unit);
 inline constexpr Range kCircumferenceMm = {30.0, 400.0};  // of the annulus
 bool is_circumference_mm(double length);                  ///< within
 
-/// What the circumference of a mitral annulus, 30 to 400 mm, says: metres below 1, centimetres below
-/// 20, else millimetres. None where the circumference would not be an annulus's in that unit.
-std::optional<LengthUnit> guessed_unit(const Points& annulus);
+/// That of adults and children; others are looked at.
+inline constexpr Range kUsualCircumferenceMm = {70.0, 200.0};
 
-/// Of a source whose unit is not known: what its annulus or, without one, its leaflets fit.
-LengthUnit unit_of(const ImportSource& source);
+struct UnitReading {
+  LengthUnit unit = LengthUnit::Millimetre;
+  std::string reason;
+  bool look = false;
+  double confidence = 1.0;
+};
+
+/// What the files say or else the only unit in which the circumference of the annulus or, without one, the leaflets' size is usual.
+/// Where several are or none is: the larger unit of those that programs write, to be looked at.
+UnitReading unit_of(const ImportSource& source);
+
+/// Leaflets without an annulus whose size no heart has: an error at "/leaflets".
+Errors impossible_size(const ImportSource& source, LengthUnit unit);
 
 /// Every coordinate and rest length times `factor`; diameters of chordae are millimetres already.
 void scale(ImportSource& source, double factor);

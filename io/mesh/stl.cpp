@@ -71,7 +71,7 @@ void read_binary(std::string_view bytes, MeshBuilder& mesh) {
   }
 }
 
-void read_ascii(std::string_view text, MeshBuilder& mesh) {
+void read_ascii(std::string_view text, MeshBuilder& mesh, StlFile& file) {
   Welder welder(mesh);
   LineScanner lines(text);
   bool ended = false;
@@ -80,6 +80,9 @@ void read_ascii(std::string_view text, MeshBuilder& mesh) {
     const auto tokens = words(line->text);
     if (tokens.empty()) continue;
     if (tokens[0] == "endsolid") ended = true;
+    if (tokens[0] == "solid")
+      file.solids.emplace_back(
+          trimmed(std::string_view(tokens[0].end(), line->text.data() + line->text.size())));
     if (tokens[0] == "endfacet" && !welder.complete()) {
       mesh.add_problem(ErrorCode::WrongType, "/faces/" + std::to_string(mesh.faces()), line->number,
                        "must have three vertices");
@@ -99,6 +102,8 @@ void read_ascii(std::string_view text, MeshBuilder& mesh) {
       return;
     }
     welder.add_corner(p, line->number);
+    if (welder.complete())
+      file.solid_of_polygon.push_back(static_cast<int>(file.solids.size()) - 1);
   }
   if (!ended) {
     mesh.add_problem(ErrorCode::InputOutput, "", lines.number(), "is truncated: no endsolid");
@@ -107,20 +112,30 @@ void read_ascii(std::string_view text, MeshBuilder& mesh) {
 
 }  // namespace
 
-Expected<TriangleMesh> read_stl(std::string_view bytes) {
+Expected<StlFile> read_stl_file(std::string_view bytes) {
   MeshBuilder mesh;
+  StlFile file;
   const bool has_header = bytes.size() >= kHeaderBytes + sizeof(std::uint32_t);
   const bool exact = has_header && bytes.size() == kHeaderBytes + sizeof(std::uint32_t) +
                                                        kFacetBytes * facet_count(bytes);
   if (!exact && bytes.starts_with("solid")) {
-    read_ascii(bytes, mesh);
+    read_ascii(bytes, mesh, file);
   } else if (has_header) {
     read_binary(bytes, mesh);
   } else {
     mesh.add_problem(ErrorCode::InputOutput, "", 0,
                      "is not an STL file: it has neither 'solid' nor a header of 84 bytes");
   }
-  return std::move(mesh).take();
+  Expected<TriangleMesh> taken = std::move(mesh).take();
+  if (!taken) return taken.errors();
+  file.mesh = *std::move(taken);
+  return file;
+}
+
+Expected<TriangleMesh> read_stl(std::string_view bytes) {
+  Expected<StlFile> file = read_stl_file(bytes);
+  if (!file) return file.errors();
+  return std::move(file->mesh);
 }
 
 }  // namespace coapt

@@ -6,8 +6,6 @@
 namespace coapt {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\f\v";
-
 template <class T>
 std::optional<T> parse(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -30,17 +28,17 @@ std::optional<Line> LineScanner::next() {
 }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
+  const std::size_t first = text.find_first_not_of(kLineBlanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(kLineBlanks) - first + 1);
 }
 
 std::vector<std::string_view> words(std::string_view text) {
   std::vector<std::string_view> found;
   for (std::size_t end = 0;;) {
-    const std::size_t start = text.find_first_not_of(kBlanks, end);
+    const std::size_t start = text.find_first_not_of(kLineBlanks, end);
     if (start == std::string_view::npos || found.size() == kMaxWords) return found;
-    end = std::min(text.find_first_of(kBlanks, start), text.size());
+    end = std::min(text.find_first_of(kLineBlanks, start), text.size());
     found.push_back(text.substr(start, end - start));
   }
 }

@@ -28,8 +28,11 @@ class LineScanner {
 
 std::string_view trimmed(std::string_view text);
 
-/// More words or fields in a line are passed over: no line of these formats needs them.
-inline constexpr std::size_t kMaxWords = 1002;
+/// What parts words within a line.
+inline constexpr std::string_view kLineBlanks = " \t\r\f\v";
+
+/// More words or fields in a line are passed over: a closed line of OBJ has its points in one.
+inline constexpr std::size_t kMaxWords = 100'002;
 
 /// Words between blanks and tabs.
 std::vector<std::string_view> words(std::string_view text);

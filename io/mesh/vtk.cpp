@@ -61,8 +61,10 @@ class VtkReader {
     if (coding == "BINARY") words_.set_binary();
     if (coding != "ASCII" && coding != "BINARY")
       return fail(ErrorCode::Unsupported, "", "must say ASCII or BINARY in its third line");
-    if (words_.next() != "DATASET" || words_.next() != "POLYDATA")
-      return fail(ErrorCode::Unsupported, "", "must be DATASET POLYDATA");
+    const std::string_view keyword = words_.next(), dataset = words_.next();
+    if (keyword != "DATASET" || (dataset != "POLYDATA" && dataset != "UNSTRUCTURED_GRID"))
+      return fail(ErrorCode::Unsupported, "",
+                  "must be DATASET POLYDATA or DATASET UNSTRUCTURED_GRID");
     return true;
   }
 
@@ -156,20 +158,8 @@ class VtkReader {
 
   void lines() {
     const Cells cells = this->cells("/lines");
-    for (std::size_t i = 0; i < cells.count() && good_; ++i) {
-      const auto cell = cells.cell(i);
-      for (std::size_t k = 1; k < cell.size() && good_; ++k) {
-        for (const long long point : {cell[k - 1], cell[k]})
-          if (point < 0 || point >= mesh_.vertices())
-            fail(ErrorCode::BadReference, "/lines/" + std::to_string(i),
-                 "names point " + std::to_string(point) + " counted from 0, must be below " +
-                     std::to_string(mesh_.vertices()));
-        data_.lines.push_back({static_cast<int>(cell[k - 1]), static_cast<int>(cell[k])});
-        cell_of_line_.push_back(other_cells_ + i);
-        if (data_.lines.size() > kMaxLines)
-          fail(ErrorCode::OutOfRange, "/lines", "has more than the 100,000 lines accepted");
-      }
-    }
+    for (std::size_t i = 0; i < cells.count() && good_; ++i)
+      add_line(cells.cell(i), other_cells_ + i);
     other_cells_ += cells.count();
   }
 
@@ -182,13 +172,55 @@ class VtkReader {
 
   void strips() {
     const Cells cells = this->cells("/faces");
-    for (std::size_t i = 0; i < cells.count(); ++i) {
-      const auto strip = cells.cell(i);
-      for (std::size_t k = 2; k < strip.size() && !mesh_.full(); ++k)
-        mesh_.add_polygon({strip[k - 2], strip[k - 1 + k % 2], strip[k - k % 2]}, words_.line(),
-                          static_cast<int>(polygon_cells_ + i));
-    }
+    for (std::size_t i = 0; i < cells.count(); ++i)
+      add_strip(cells.cell(i), static_cast<int>(polygon_cells_ + i));
     polygon_cells_ += cells.count();
+  }
+
+  /// Of an unstructured grid: cells of all kinds, numbered together.
+  void cell_types() {
+    const long long types = count("/cells");
+    expect("int", types, "/cells");
+    const std::vector<long long> type = integers(types, "/cells");
+    if (good_ && type.size() != grid_.count())
+      fail(ErrorCode::OutOfRange, "/cells",
+           "has " + std::to_string(type.size()) + " types, must have one for each of its " +
+               std::to_string(grid_.count()) + " cells");
+    for (std::size_t i = 0; i < type.size() && good_ && !mesh_.full(); ++i)
+      grid_cell(static_cast<int>(type[i]), grid_.cell(i), static_cast<int>(i));
+  }
+
+  /// By VTK's numbers of cell types (vtkCellType.h).
+  void grid_cell(int type, const std::vector<long long>& cell, int number) {
+    if (type == 3 || type == 4) return add_line(cell, static_cast<std::size_t>(number));
+    if (type == 5 || type == 7 || type == 9) return mesh_.add_polygon(cell, words_.line(), number);
+    if (type == 8 && cell.size() == 4)
+      return mesh_.add_polygon({cell[0], cell[1], cell[3], cell[2]}, words_.line(), number);
+    if (type == 6) return add_strip(cell, number);
+    if (type != 1 && type != 2)
+      fail(ErrorCode::Unsupported, "/cells/" + std::to_string(number),
+           "has VTK's cell type " + std::to_string(type) +
+               ", accepted: 1 to 9 (points, lines, triangles, quadrangles, polygons)");
+  }
+
+  void add_line(const std::vector<long long>& cell, std::size_t number) {
+    for (std::size_t k = 1; k < cell.size() && good_; ++k) {
+      for (const long long point : {cell[k - 1], cell[k]})
+        if (point < 0 || point >= mesh_.vertices())
+          fail(ErrorCode::BadReference, "/lines/" + std::to_string(number),
+               "names point " + std::to_string(point) + " counted from 0, must be below " +
+                   std::to_string(mesh_.vertices()));
+      data_.lines.push_back({static_cast<int>(cell[k - 1]), static_cast<int>(cell[k])});
+      cell_of_line_.push_back(number);
+      if (data_.lines.size() > kMaxLines)
+        fail(ErrorCode::OutOfRange, "/lines", "has more than the 100,000 lines accepted");
+    }
+  }
+
+  void add_strip(const std::vector<long long>& strip, int number) {
+    for (std::size_t k = 2; k < strip.size() && !mesh_.full(); ++k)
+      mesh_.add_polygon({strip[k - 2], strip[k - 1 + k % 2], strip[k - k % 2]}, words_.line(),
+                        number);
   }
 
   void scalars() {
@@ -249,6 +281,11 @@ class VtkReader {
       return;
     }
     if (keyword == "LINES") return lines();
+    if (keyword == "CELLS") {
+      grid_ = cells("/cells");
+      return;
+    }
+    if (keyword == "CELL_TYPES") return cell_types();
     if (keyword == "POLYGONS") return polygons();
     if (keyword == "TRIANGLE_STRIPS") return strips();
     if (keyword == "POINT_DATA" || keyword == "CELL_DATA") {
@@ -276,7 +313,7 @@ class VtkReader {
       return pass_over("unsigned_char", 4 * count("/data"), "/data");
     }
     fail(ErrorCode::Unsupported, "",
-         "'" + std::string(keyword.substr(0, 20)) + "' is not a section of a POLYDATA file");
+         "'" + std::string(keyword.substr(0, 20)) + "' is not a section of a legacy VTK file");
   }
 
   Expected<VtkPolyData> finish() {
@@ -314,7 +351,8 @@ class VtkReader {
   std::vector<std::size_t> cell_of_line_;
   std::size_t other_cells_ = 0;  ///< before the next section of cells
   std::size_t polygon_cells_ =
-      0;  ///< polygons and strips; their data stand behind those of the others
+      0;        ///< polygons and strips; their data stand behind those of the others
+  Cells grid_;  ///< of an unstructured grid, until their types are known
   std::vector<VtkScalars> cell_data_;
   Data where_ = Data::None;
   long long tuples_ = 0;

@@ -1,4 +1,4 @@
-// Legacy VTK files, ASCII POLYDATA: what SlicerHeart's ValveFemExport, FEBio Studio's "Import Springs"
+// Legacy VTK files, POLYDATA and, read only, UNSTRUCTURED_GRID: what SlicerHeart's ValveFemExport, FEBio Studio's "Import Springs"
 // and ParaView exchange. Lines of less than 255 characters, which is what FEBio Studio reads.
 #pragma once
 
@@ -39,7 +39,8 @@ inline constexpr const char* kPatientVtkTitle =
 std::string write_vtk(const VtkPolyData& data);
 
 /// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars of
-/// lines and faces are kept. Errors name the line. ASCII or binary. Unsupported: other datasets than POLYDATA, text
+/// lines and faces are kept. Errors name the line. ASCII or binary. Of an unstructured grid
+/// the same cells. Unsupported: other datasets, cells with a volume, text
 /// among the data of a binary file.
 Expected<VtkPolyData> read_vtk(std::string_view text);
 

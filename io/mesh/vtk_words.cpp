@@ -1,5 +1,6 @@
 #include "io/mesh/vtk_words.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstdint>
@@ -24,25 +25,26 @@ void take_big_endian(std::string_view& bytes, T& value) {
 
 std::string_view VtkWords::next() {
   if (!block_.empty()) return number();
-  while (at_ == words_.size()) {
+  while ((last_ = text_line_.find_first_not_of(kLineBlanks, at_)) == std::string_view::npos) {
     const auto line = lines_.next();
     if (!line) {
       ended_ = true;
       return {};
     }
-    words_ = words(line->text);
+    text_line_ = line->text;
     at_ = 0;
   }
-  return words_[at_++];
+  at_ = std::min(text_line_.find_first_of(kLineBlanks, last_), text_line_.size());
+  return text_line_.substr(last_, at_ - last_);
 }
 
 void VtkWords::skip_block() {
-  at_ = words_.size();
+  skip_line();
   for (auto line = lines_.next(); line && !trimmed(line->text).empty();) line = lines_.next();
 }
 
 std::optional<std::string_view> VtkWords::whole_line() {
-  at_ = words_.size();
+  skip_line();
   const auto line = lines_.next();
   if (!line) return {};
   return line->text;

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "io/mesh/text_scan.h"
 
@@ -19,9 +18,9 @@ class VtkWords {
   std::string_view next();
   /// Before the word that next() gave last; not inside a binary block.
   void back() {
-    if (!ended_) --at_;
+    if (!ended_) at_ = last_;
   }
-  void skip_line() { at_ = words_.size(); }
+  void skip_line() { at_ = text_line_.size(); }
   /// The rest of the line, then lines until one is empty.
   void skip_block();
   std::optional<std::string_view> whole_line();
@@ -42,8 +41,8 @@ class VtkWords {
   std::string_view number();
 
   LineScanner lines_;
-  std::vector<std::string_view> words_;
-  std::size_t at_ = 0;
+  std::string_view text_line_;     ///< of any length: some writers have all numbers in one
+  std::size_t at_ = 0, last_ = 0;  ///< behind the word given last, and where it begins
   bool ended_ = false, binary_ = false;
   std::string_view block_;  ///< bytes that are left of it
   Binary type_ = Binary::Float64;

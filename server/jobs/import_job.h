@@ -8,7 +8,7 @@ namespace coapt {
 
 inline constexpr const char* kImportPicture = "import.png";
 
-/// Its valve is the imported one, made of the same files before the job was taken. Result: coapt.import/1 with the id of
+/// Its valve is the imported one, made of the same files before the job was taken. Result: coapt.import/2 with the id of
 /// the valve made, and "fit" (coapt.fit/1) if one was asked for. Files: import.png, valve.json, and fit.png. A fit is kept
 /// round by round: a job that was killed goes on from the last one, to the same valve. Out of time it ends as it is then,
 /// "finished": false.

@@ -2,6 +2,7 @@
 
 #include "core/valve/patient_frame.h"
 #include "io/exchange/slicerheart.h"
+#include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
 #include "io/mesh/skirt.h"
 #include "io/mesh/source_units.h"
@@ -32,8 +33,8 @@ TissueReference read_state(const JsonPlace& place) {
 }
 
 LengthUnit read_unit(const JsonPlace& place) {
-  return read_name<LengthUnit>(place,
-                               {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre});
+  return read_name<LengthUnit>(
+      place, {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch, LengthUnit::Metre});
 }
 
 MeasuredSide read_side(const JsonPlace& place) {
@@ -53,11 +54,17 @@ PatientAxes read_axes(const JsonPlace& place) {
   return read_name<PatientAxes>(place, {PatientAxes::LPS, PatientAxes::RAS});
 }
 
+/// One, or several that make a part.
+std::vector<int> read_labels_of_part(const JsonPlace& place) {
+  if (place.value.is_array()) return read_list(place, whole(1, 65535));
+  return {whole(1, 65535)(place)};
+}
+
 LabelNumbers read_label_numbers(const JsonPlace& place) {
   LabelNumbers numbers;
-  read_fields(place, {{"anterior", into(numbers.anterior, whole(1, 65535)), false},
-                      {"posterior", into(numbers.posterior, whole(1, 65535)), false},
-                      {"annulus", into(numbers.annulus, whole(1, 65535)), false}});
+  read_fields(place, {{"anterior", into(numbers.anterior, read_labels_of_part), false},
+                      {"posterior", into(numbers.posterior, read_labels_of_part), false},
+                      {"annulus", into(numbers.annulus, read_labels_of_part), false}});
   return numbers;
 }
 
@@ -160,7 +167,8 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
           {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
           {"slack", into(options.slack, number(0.8, 1.5)), false},
           {"reference", into(options.reference, read_state), false},
-          {"units", into(options.units, read_unit), false}};
+          {"units", into(options.units, read_unit), false},
+          {"trust_labels", into(options.trust_labels, read_boolean), false}};
 }
 
 JsonField fit_field(ImportRequest& request) { return {"fit", into(request.fit, read_fit), false}; }
@@ -198,9 +206,11 @@ Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
     problems.add(ErrorCode::UnknownField, "/tips",
                  "needs chordae_seed: chordae that were seen begin at their tips");
   if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
-    problems.add(ErrorCode::OutOfRange, "/leaflets",
-                 "has " + std::to_string(asked.leaflets->size()) +
-                     " files, must have 1 (a skirt) or 2 (the anterior, then the posterior sheet)");
+    problems.add(
+        ErrorCode::OutOfRange, "/leaflets",
+        "has " + std::to_string(asked.leaflets->size()) +
+            " files, must have 1 (a skirt, or both leaflets as its parts) or 2 (the anterior, then "
+            "the posterior sheet)");
   if (asked.fit && !asked.fit->surface && !asked.options.closed.value_or(false))
     problems.add(
         ErrorCode::MissingField, "/fit/surface",
@@ -239,7 +249,7 @@ Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedVa
   const NamedFile& file = *request.fit->surface;
   const std::string format = format_of(file.name);
   Errors errors;
-  if (format == "csv") {
+  if (is_table_format(format)) {
     const Expected<Points> points = read_points_csv(file.bytes);
     if (points)
       surface.vertices_mm = *points;

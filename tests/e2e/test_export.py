@@ -108,8 +108,8 @@ class Export(ProgramTest):
         told = json.loads(
             self.run_ok(*folder, "--chordae", "synthesise", "--json", "-o", self.folder / "v.json").stdout
         )
-        self.assertEqual(told["schema"], "coapt.import/1")
-        self.assertEqual([decision["about"] for decision in told["decisions"]][:4], ["units", "frame", "state", "mesh"])
+        self.assertEqual(told["schema"], "coapt.import/2")
+        self.assertEqual([decision["subject"] for decision in told["decisions"]][:4], ["units", "frame", "leaflets", "state"])
         self.assertEqual(json.loads((self.folder / "v.json").read_text()), drawn[0])
         self.assertEqual(coapt(*folder, "--chordae", "synthesise", "--json", "-o", "-").returncode, BAD_INPUT)
         valve = self.write("drawn.json", json.dumps(drawn[0]))

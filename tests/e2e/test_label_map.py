@@ -4,7 +4,7 @@ import gzip
 import json
 import unittest
 
-from programs import BAD_INPUT, SOURCE, ProgramTest, coapt
+from programs import BAD_INPUT, NOT_CLOSED, SOURCE, ProgramTest, coapt
 
 IMAGES = SOURCE / "tests/io/image/files"
 SHEETS = SOURCE / "examples/valves/source/bodyparts3d"
@@ -31,6 +31,22 @@ def nrrd(keys="", space="space: left-posterior-superior\nspace directions: (0.7,
     return head.encode() + gzip.compress(labels)
 
 
+def hanging_labels(anterior, posterior, names=""):
+    """A funnel whose front, over 37 % of the annulus, is taller than its back, below a band of label 3."""
+
+    def label(i, j, k):
+        out, depth, front = ((2 * i - 59) ** 2 + (2 * j - 59) ** 2) ** 0.5, 11 - k, 2 * j - 59 > 18
+        if k >= 11 and 44 <= out < 52:
+            return 3
+        edge = 44 - 2.5 * depth
+        return (anterior if front else posterior) if 0 <= depth <= (9 if front else 6) and edge - 4 <= out < edge else 0
+
+    head = "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 60 60 14\nspace: left-posterior-superior\n"
+    head += f"space directions: (0.7,0,0) (0,0.7,0) (0,0,0.7)\nencoding: gzip\n{names}\n"
+    voxels = bytes(label(i, j, k) for k in range(14) for j in range(60) for i in range(60))
+    return head.encode() + gzip.compress(voxels)
+
+
 class LabelMaps(ProgramTest):
     def refused(self, *arguments):
         result = coapt("valve", "import", *arguments, "-o", self.folder / "valve.json")
@@ -51,8 +67,8 @@ class LabelMaps(ProgramTest):
         bare, named = self.folder / "bare.json", self.folder / "named.json"
         result = self.run_ok("valve", "import", *reversed(files), "-o", bare, "--json")
         decisions = json.loads(result.stdout)["decisions"]
-        self.assertEqual([d["about"] for d in decisions[:4]], ["files"] * 4)
-        self.assertEqual(decisions[0]["decision"], "file 1 of 4 (.csv) is chordae")
+        self.assertEqual([d["subject"] for d in decisions[:4]], ["files"] * 4)
+        self.assertEqual(decisions[0]["value"], "file 1 of 4 (.csv) is chordae")
         self.run_ok(
             "valve",
             "import",
@@ -122,19 +138,44 @@ class LabelMaps(ProgramTest):
         )
 
     def test_what_a_person_should_check_is_said_with_and_without_json(self):
-        (self.folder / "bare.nrrd").write_bytes(nrrd())
+        (self.folder / "bare.nrrd").write_bytes(hanging_labels(2, 1))
         command = ["valve", "import", self.folder / "bare.nrrd", "-o", self.folder / "valve.json"]
         told, listed = self.run_ok(*command), self.run_ok(*command, "--json")
         looks = [one for one in json.loads(listed.stdout)["decisions"] if one["look"]]
-        self.assertEqual(looks[0]["decision"], "label 1 is the anterior leaflet")
+        self.assertIn("label 2 is the anterior leaflet, label 1 the posterior one", [one["value"] for one in looks])
         self.assertEqual(
-            told.stderr.splitlines(),
+            told.stderr.splitlines()[: len(looks)],
             [
-                f"coapt: valve import: check this against the images: {one['about']}: {one['decision']}; {one['reason']}."
+                f"coapt: valve import: check this against the images: {one['subject']}: {one['value']}; {one['reason']}."
                 for one in looks
             ],
         )
+        self.assertIn("coapt: valve import: units: mm.", told.stderr.splitlines()[len(looks) :])
         self.assertEqual((told.stdout, listed.stderr), ("", ""))
+        strict = coapt(*command, "--strict")
+        self.assertEqual(strict.returncode, NOT_CLOSED)
+        self.assertTrue(json.loads((self.folder / "valve.json").read_text()))
+
+    def test_labels_that_look_the_other_way_round_are_turned_refused_or_trusted(self):
+        def map_of(*labels):
+            path = self.folder / f"map{len(list(self.folder.iterdir()))}.nrrd"
+            path.write_bytes(hanging_labels(*labels))
+            return path
+
+        out = self.folder / "valve.json"
+        named = "Segment0_Name:=anterior\nSegment0_LabelValue:=1\nSegment1_Name:=posterior\nSegment1_LabelValue:=2\n"
+        right, other = self.run_ok("valve", "import", map_of(1, 2), "-o", out), out.read_text()
+        turned = self.run_ok("valve", "import", map_of(2, 1), "-o", out)
+        self.assertNotIn("check this against the images: leaflets", right.stderr)
+        self.assertIn("check this against the images: leaflets: label 2 is the anterior leaflet", turned.stderr)
+        first, second = json.loads(other), json.loads(out.read_text())
+        self.assertEqual(first["vertices_mm"], second["vertices_mm"])
+        wrong = map_of(2, 1, named)
+        refused = self.refused(wrong)
+        self.assertIn("--label anterior=2 --label posterior=1", refused)
+        self.assertIn("--trust-labels", refused)
+        self.run_ok("valve", "import", wrong, "--trust-labels", "-o", out)
+        self.run_ok("valve", "import", wrong, "--label", "anterior=2", "--label", "posterior=1", "-o", out)
 
     def test_nothing_that_comes_of_images_names_a_patient(self):
         """Neither the valve nor the decisions nor any message."""

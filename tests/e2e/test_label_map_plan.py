@@ -84,12 +84,12 @@ def assert_report(test, page):
 
 class CommandLine(ProgramTest):
     def imported(self, name):
-        """File of the valve that a map becomes, and the decisions: what about, decision, look."""
+        """File of the valve that a map becomes, and the decisions: subject, value, look."""
         valve = self.folder / "valve.json"
         printed = json.loads(self.run_ok("valve", "import", maps / name, "-o", valve, "--json").stdout)
         for leaflet in printed["thickness"]:
             self.assertAlmostEqual(leaflet["mean_mm"], THICKNESS_MM, delta=VOXEL_MM / 4)
-        return valve, [(d["about"], d["decision"], d["look"]) for d in printed["decisions"]]
+        return valve, [(d["subject"], d["value"], d["look"]) for d in printed["decisions"]]
 
     def assert_closes(self, valve):
         closed = json.loads(self.run_ok("close", valve, "--json").stdout)
@@ -97,13 +97,13 @@ class CommandLine(ProgramTest):
         self.assertLess(closed["leak_mm2"], MOST_MM2)
         return closed
 
-    def assert_decided(self, decisions, about, words, look=False):
-        found = [decision for a, decision, l in decisions if a == about and l == look]
-        self.assertTrue(any(words in decision for decision in found), f"{about}: {found}")
+    def assert_decided(self, decisions, subject, words, look=False):
+        found = [value for about, value, looked in decisions if (about, looked) == (subject, look)]
+        self.assertTrue(any(words in value for value in found), f"{subject}: {found}")
 
     def test_a_map_with_names_becomes_a_valve_that_closes(self):
         valve, decisions = self.imported("named.seg.nrrd")
-        self.assert_decided(decisions, "labels", "label 1 is the anterior leaflet")
+        self.assert_decided(decisions, "leaflets", "label 1 is the anterior leaflet, label 2 the posterior one")
         self.assert_decided(decisions, "labels", "label 3 is the annulus")
         self.assert_decided(decisions, "labels", "voxels of 0.8 x 0.8 x 0.8 mm, in the patient's frame, LPS")
         self.assert_decided(decisions, "units", "mm")
@@ -120,7 +120,7 @@ class CommandLine(ProgramTest):
     def test_a_map_of_leaflets_alone_has_its_annulus_found_and_looked_at(self):
         valve, decisions = self.imported("bare.nrrd")
         self.assert_decided(decisions, "annulus", "not given; found along the leaflets' outlines", look=True)
-        self.assertEqual([about for about, _, look in decisions if look], ["labels", "labels", "annulus"])
+        self.assertEqual([about for about, _, look in decisions if look], ["annulus"])
         self.assert_closes(valve)
 
     def test_what_is_exported_lies_where_the_map_was_drawn(self):
@@ -171,7 +171,7 @@ class Service(ServerTest):
         valve = self.folder / "valve.json"
         printed = json.loads(self.run_ok("valve", "import", maps / name, "-o", valve, "--json").stdout)
         # Bare files are guessed first, and their chordae need no seed.
-        decisions = [decision for decision in printed["decisions"] if decision["about"] != "files"]
+        decisions = [decision for decision in printed["decisions"] if decision["subject"] != "files"]
         self.assertEqual(imported["decisions"], decisions)
         stored, written = self.server.get(f"/v1/valves/{imported['valve']}"), json.loads(valve.read_text())
         for part in ("vertices_mm", "faces", "chordae", "patient_frame"):

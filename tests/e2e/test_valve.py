@@ -372,9 +372,9 @@ class Import(ProgramTest):
         leaflets = [self.DATA / "anterior_leaflet_sheet.obj", self.DATA / "posterior_leaflet_sheet.obj"]
         given = ["--chordae", self.DATA / "chordae.csv", "-o", self.folder / "valve.json", "--json"]
         found = json.loads(self.run_ok("valve", "import", "--leaflet", *leaflets, *given, "--thickness", "1.5").stdout)
-        look = {of["about"] for of in found["decisions"] if of["look"]}
+        look = {of["subject"] for of in found["decisions"] if of["look"]}
         self.assertIn("annulus", look)
-        self.assertIn("state", {of["about"] for of in found["decisions"]})
+        self.assertIn("state", {of["subject"] for of in found["decisions"]})
         self.assertEqual(found["thickness"], [])
         valve = json.loads((self.folder / "valve.json").read_text())
         self.assertEqual(valve["tissue"]["thickness_mm"], 1.5)

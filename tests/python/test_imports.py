@@ -48,8 +48,8 @@ class Imports(ClientTest):
         leaflets = [folder / "anterior_leaflet.vtk", folder / "posterior_leaflet.vtk"]
         stored = self.client.import_valve(leaflets, folder / "annulus.mrk.json", 1, name="drawn", triangles=300)
         self.assertEqual(self.client.get_valve(stored.id)["drawn_chordae"], {"seed": 1, "tips_given": False})
-        self.assertIn("units", [decision.about for decision in stored.decisions])
-        self.assertEqual(stored.decisions[-1].about, "chordae")
+        self.assertIn("units", [decision.subject for decision in stored.decisions])
+        self.assertEqual(stored.decisions[-1].subject, "chordae")
 
     def test_what_is_wrong_is_said_of_the_file(self):
         skirt, annulus, chordae = self.files()
@@ -69,7 +69,7 @@ class Imports(ClientTest):
         plain = job.result(timeout_s=120)
         self.assertEqual((plain.name, plain.chordae, plain.fit), ("mine", 10, None))
         self.assertEqual((plain.valve, plain.imported), (job.json["made"], job.json["valve"]))
-        self.assertIn("saddle peak as given", [decision.decision for decision in plain.decisions])
+        self.assertIn("saddle peak as given", [decision.value for decision in plain.decisions])
         self.assertTrue(plain.picture().png.startswith(b"\x89PNG"))
 
         surface = self.folder / "closed.stl"
@@ -82,7 +82,7 @@ class Imports(ClientTest):
         self.assertLess(fitted.fit.rms_mm, 0.5)
         self.assertEqual(fitted.fit.parameters[0].name, "tip_AL_x")
         self.assertNotEqual(fitted.valve, fitted.imported)
-        self.assertEqual(fitted.decisions[-1].about, "fit")
+        self.assertEqual(fitted.decisions[-1].subject, "fit")
         self.assertEqual(self.client.job(job.id).result(), fitted)
 
     def test_what_is_wrong_with_a_job_is_said_at_once(self):

@@ -119,7 +119,7 @@ class ImportResult:
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any], transport: Transport, job_path: str) -> ImportResult:
-        decisions = tuple(ImportDecision(one["about"], one["decision"], one["reason"]) for one in json["decisions"])
+        decisions = tuple(ImportDecision(**one) for one in json["decisions"])
         fit = None if json["fit"] is None else FitResult.from_json(json["fit"])
         return cls(
             json["valve"],

@@ -13,14 +13,16 @@ from .repair import Plan
 class ImportDecision:
     """What an import settled that its files leave open."""
 
-    about: str
+    subject: str
     """What, such as "units"."""
-    decision: str
+    value: str
     """In a sentence."""
     reason: str
     """In a sentence; empty where there is none to give."""
     look: bool = False
     """A person should check it against the images."""
+    confidence: float = 1.0
+    """How likely it is right, of what is judged from several readings; else 1."""
 
 
 @dataclass(frozen=True)

@@ -45,17 +45,18 @@ class StoredWork(ShortWork):
     ) -> StoredValve:
         """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
 
-        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one skirt; or the path of a label map
-            of both (NRRD or NIfTI)
-        :param annulus: CSV of x,y,z, or a closed curve of Slicer (.mrk.json); None: that of the label map, else found at the
+        :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one file with both as its parts, or one
+            skirt; or the path of a label map of both (NRRD or NIfTI)
+        :param annulus: a table of x, y, z, or a closed curve of Slicer (.mrk.json); None: that of the label map, else found at the
             leaflets
         :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
         :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
             Slicer; left out, they are drawn, too
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
-            "cm" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
+            "cm", "in" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
             closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
-            (of a label map: a mapping of "anterior", "posterior" and "annulus" to numbers), frame ("LPS" or "RAS")
+            (of a label map: a mapping of "anterior", "posterior" and "annulus" to a number or several), trust_labels (True:
+            leaflets are what labels, names and order say, whatever they look like), frame ("LPS" or "RAS")
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)

@@ -21,9 +21,16 @@ TEST(PartNames, CommonSpellingsOfSlicerHeartAndPapers) {
     EXPECT_EQ(part_named(name), NamedPart::Posterior) << name;
   for (const char* name : {"Annulus", "anterior annulus", "mitral ring", "MVAnnulusContour"})
     EXPECT_EQ(part_named(name), NamedPart::Annulus) << name;
-  for (const char* name : {"", "leaflets", "anterior and posterior", "commissure A", "apple",
-                           "string", "anterolateral"})
+  for (const char* name : {"P1", "p2 scallop", "Segment P3", "anterolateral commissural leaflet"})
+    EXPECT_EQ(part_named(name), NamedPart::Posterior) << name;
+  for (const char* name :
+       {"", "leaflets", "anterior and posterior", "apple", "string", "anterolateral"})
     EXPECT_EQ(part_named(name), std::nullopt) << name;
+  for (const char* name : {"Septal leaflet", "tricuspid anterior leaflet", "ATL", "aortic valve"})
+    EXPECT_EQ(part_named(name), NamedPart::OtherLeaflet) << name;
+  for (const char* name : {"left ventricle", "LA", "Aorta", "tricuspid annulus", "commissure A"})
+    EXPECT_EQ(part_named(name), NamedPart::Other) << name;
+  EXPECT_EQ(part_named("MA"), NamedPart::Annulus);
   EXPECT_EQ(part_named("papillary AL"), NamedPart::Tips);
 }
 
@@ -72,9 +79,9 @@ TEST(FileRoles, DecisionsDoNotRepeatNamesOfFiles) {
       {{"DOE JANE anterior.stl", "s"}, {"DOE JANE posterior.stl", "t"}, {"doe.csv", "1,2,3"}});
   ASSERT_TRUE(sorted);
   ASSERT_EQ(sorted->decisions.size(), 3U);
-  EXPECT_EQ(sorted->decisions[0].decision, "file 1 of 3 (.stl) is the anterior leaflet");
+  EXPECT_EQ(sorted->decisions[0].value, "file 1 of 3 (.stl) is the anterior leaflet");
   for (const ImportDecision& decision : sorted->decisions) {
-    EXPECT_EQ((decision.decision + decision.reason).find("DOE"), std::string::npos);
+    EXPECT_EQ((decision.value + decision.reason).find("DOE"), std::string::npos);
     EXPECT_FALSE(decision.reason.empty());
   }
   ASSERT_EQ(sorted->files.leaflets.size(), 2U);
@@ -82,17 +89,33 @@ TEST(FileRoles, DecisionsDoNotRepeatNamesOfFiles) {
   EXPECT_TRUE(sorted->files.annulus);
 }
 
-TEST(FileRoles, APersonShouldLookAtMeshesThatOnlyTheirOrderTellsApart) {
-  const auto looks = [](const std::vector<NamedFile>& files) {
-    const Expected<SortedFiles> sorted = sorted_files(files);
-    std::vector<bool> found;
-    for (const ImportDecision& decision : sorted->decisions) found.push_back(decision.look);
-    return found;
+TEST(FileRoles, MeshesThatNothingTellsApartAreLeftToAnatomy) {
+  const auto claim = [](const std::vector<NamedFile>& files) {
+    return sorted_files(files)->files.order.claim;
   };
-  EXPECT_EQ(looks({{"1.stl", ""}, {"2.stl", ""}, {"c.csv", "1,2,3"}}),
-            (std::vector{true, true, false}));
-  EXPECT_EQ(looks({{"1.stl", ""}, {"posterior.stl", ""}}), (std::vector{false, false}));
-  EXPECT_EQ(looks({{"skirt.stl", ""}}), (std::vector{false}));
+  EXPECT_EQ(claim({{"1.stl", ""}, {"2.stl", ""}, {"c.csv", "1,2,3"}}), LeafletClaim::Guessed);
+  EXPECT_EQ(claim({{"1.stl", ""}, {"posterior.stl", ""}}), LeafletClaim::Named);
+}
+
+TEST(FileRoles, ScallopsAreFilesOfOneLeaflet) {
+  const Expected<SortedFiles> sorted =
+      sorted_files({{"P1.stl", ""}, {"anterior.stl", ""}, {"P3.stl", ""}, {"P2.stl", ""}});
+  ASSERT_TRUE(sorted);
+  EXPECT_EQ(sorted->files.leaflets.size(), 4U);
+  EXPECT_EQ(sorted->files.posterior_from, 1U);
+  EXPECT_EQ(sorted->files.order.called[1], "files 1, 3, 4");
+  EXPECT_FALSE(sorted_files({{"anterior.stl", ""}, {"anterior2.stl", ""}, {"anterior.ply", ""}}));
+}
+
+TEST(FileRoles, LinesAreTheAnnulusAndALeafletOfAnotherValveIsNamed) {
+  EXPECT_EQ(roles_of({{"a.obj", "v 0 0 0\nf 1 1 1\n"}, {"x.obj", "v 0 0 0\nl 1 1\n"}}),
+            (std::vector{FileRole::Anterior, FileRole::Annulus}));
+  EXPECT_EQ(roles_of({{"ring.obj", "v 0 0 0\nf 1 1 1\n"}}), (std::vector{FileRole::Anterior}))
+      << "all parts in one file";
+  const Expected<SortedFiles> septal =
+      sorted_files({{"anterior.stl", ""}, {"posterior.stl", ""}, {"septal.stl", ""}});
+  ASSERT_FALSE(septal);
+  EXPECT_NE(septal.errors()[0].message.find("another valve"), std::string::npos);
 }
 
 TEST(FileRoles, TwoOfOneRoleAndUnknownFilesAreNamed) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace coapt {
 namespace {
 
@@ -37,7 +40,7 @@ TEST(ImportFiles, GivenAxesOverruleAHeaderAndTheDecisionSaysSo) {
   const Expected<ImportSource> source = read_import_files(with_head("# SPACE=LPS\n"), reading);
   ASSERT_TRUE(source);
   ASSERT_EQ(source->decisions.size(), 1U);
-  EXPECT_EQ(source->decisions[0].decision, "leaflet 1: RAS, turned to LPS");
+  EXPECT_EQ(source->decisions[0].value, "leaflets: RAS, turned to LPS");
   EXPECT_EQ(source->decisions[0].reason, "as given, against their headers, which say SPACE=LPS");
 }
 
@@ -50,7 +53,7 @@ TEST(ImportFiles, FilesOfDifferentAxesAreTurnedOneByOne) {
   ASSERT_TRUE(source);
   EXPECT_EQ(Vec3(source->annulus_mm.row(0)), Vec3(1, 2, 3));
   ASSERT_EQ(source->decisions.size(), 2U);
-  EXPECT_EQ(source->decisions[1].decision, "annulus, chordae, papillary tips: LPS");
+  EXPECT_EQ(source->decisions[1].value, "annulus, chordae, papillary tips: LPS");
   ImportReading reading;
   reading.axes = PatientAxes::RAS;
   source = read_import_files(files, reading);
@@ -87,48 +90,193 @@ std::vector<bool> looks(const ImportSource& source) {
   return found;
 }
 
-TEST(ImportFiles, LabelsByNumberByNameOrAsGiven) {
-  ImportFiles files;
-  files.labels = {"DOE.nrrd", labels_nrrd("", {1, 2, 3})};
-  Expected<ImportSource> source = read_import_files(files);
-  ASSERT_TRUE(source) << source.errors()[0].path << source.errors()[0].message;
-  ASSERT_EQ(source->leaflets.size(), 2U);
-  EXPECT_EQ(source->annulus_mm.rows(), 72);
-  EXPECT_LT(source->leaflets[0].vertices_mm.col(1).maxCoeff(), 15.8);
-  EXPECT_GT(source->leaflets[1].vertices_mm.col(1).minCoeff(), 16.2);
-  EXPECT_EQ(looks(*source), (std::vector{true, true, true, false})) << "numbers alone chose";
+/// What is said of labels.
+std::string told(const ImportSource& source) {
+  std::string all;
+  for (const ImportDecision& decision : source.decisions) all += sentence(decision) + '\n';
+  return all;
+}
 
+TEST(ImportFiles, LabelsWithoutNamesAreLeftToAnatomyAndTheClosedBandIsTheAnnulus) {
+  for (const std::array<int, 3>& labels : {std::array{1, 2, 3}, {3, 1, 2}, {17, 40, 5}}) {
+    ImportFiles files;
+    files.labels = {"DOE.nrrd", labels_nrrd("", labels)};
+    const Expected<ImportSource> source = read_import_files(files);
+    ASSERT_TRUE(source) << source.errors()[0].path << source.errors()[0].message;
+    ASSERT_EQ(source->leaflets.size(), 2U);
+    EXPECT_EQ(source->annulus_mm.rows(), 72);
+    EXPECT_EQ(source->order.claim, LeafletClaim::Guessed);
+    const bool first = labels[0] < labels[1];  // by number, until the import has looked at them
+    EXPECT_LT(source->leaflets[first ? 0 : 1].vertices_mm.col(1).maxCoeff(), 15.8);
+    EXPECT_GT(source->leaflets[first ? 1 : 0].vertices_mm.col(1).minCoeff(), 16.2);
+    EXPECT_EQ(source->order.called[first ? 0 : 1], "label " + std::to_string(labels[0]));
+  }
+}
+
+TEST(ImportFiles, LabelsByNameOrAsGiven) {
+  ImportFiles files;
   files.labels = {"x.nrrd", labels_nrrd("Segment0_Name:=DOE^JANE anterior\nSegment0_LabelValue:=8\n"
                                         "Segment1_Name:=posterior\nSegment1_LabelValue:=7\n",
                                         {8, 7, 3})};
-  source = read_import_files(files);
+  Expected<ImportSource> source = read_import_files(files);
   ASSERT_TRUE(source) << source.errors()[0].path << source.errors()[0].message;
-  EXPECT_EQ(source->annulus_mm.rows(), 0) << "other labels are named, this one is not";
-  EXPECT_EQ(source->decisions[0].decision, "label 8 is the anterior leaflet");
-  EXPECT_EQ(looks(*source), (std::vector{false, false, false}));
-  for (const ImportDecision& decision : source->decisions)
-    EXPECT_EQ((decision.decision + decision.reason).find("DOE"), std::string::npos);
+  EXPECT_EQ(source->annulus_mm.rows(), 72) << "nothing names it, but it is a closed band";
+  EXPECT_EQ(source->order.claim, LeafletClaim::Named);
+  EXPECT_NE(told(*source).find("label 8 is the anterior leaflet"), std::string::npos);
+  EXPECT_EQ(looks(*source), (std::vector{false, false, false, false}));
+  EXPECT_EQ(told(*source).find("DOE"), std::string::npos);
 
   ImportReading reading;
-  reading.labels = {7, 8, 3};
+  reading.labels = {{7}, {8}, {3}};
   source = read_import_files(files, reading);
   ASSERT_TRUE(source);
   EXPECT_GT(source->leaflets[0].vertices_mm.col(1).minCoeff(), 16.2);
-  EXPECT_EQ(source->annulus_mm.rows(), 72);
+  EXPECT_EQ(source->order.claim, LeafletClaim::Given);
+  EXPECT_EQ(source->order.swap, "say --label anterior=8 --label posterior=7");
   EXPECT_EQ(looks(*source), (std::vector{false, false, false, false}));
+
+  reading.labels = {{}, {8}, {}};  // the other one is the other leaflet, whatever its name says
+  files.labels = {"x.nrrd", labels_nrrd("", {8, 7, 3})};
+  source = read_import_files(files, reading);
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->order.called[0], "label 7");
+}
+
+/// Two plates, the second one cut in two at the middle.
+std::string scallops_nrrd(const std::string& keys) {
+  std::string text = labels_nrrd(keys, {1, 2, 3});
+  std::size_t voxel = text.find("\n\n") + 2;
+  for (int i = 0; voxel < text.size(); voxel += 2, ++i)
+    if (text[voxel] == '2' && i % 20 > 9) text[voxel] = '4';
+  return text;
+}
+
+TEST(ImportFiles, SeveralLabelsMakeALeafletByNameOrAsGiven) {
+  ImportFiles files;
+  files.labels = {
+      "x.nrrd",
+      scallops_nrrd("Segment0_Name:=A\nSegment0_LabelValue:=1\nSegment1_Name:=P1\n"
+                    "Segment1_LabelValue:=2\nSegment2_Name:=P2\nSegment2_LabelValue:=4\n")};
+  const Expected<ImportSource> named = read_import_files(files);
+  ASSERT_TRUE(named) << named.errors()[0].message;
+  EXPECT_EQ(named->order.called[1], "labels 2 and 4");
+  files.labels = {"x.nrrd", scallops_nrrd("")};
+  const Expected<ImportSource> unnamed = read_import_files(files);
+  ASSERT_FALSE(unnamed) << "three that could be leaflets";
+  EXPECT_EQ(unnamed.errors()[0].path, "/label_numbers");
+  ImportReading reading;
+  reading.labels = {{1}, {2, 4}, {}};
+  const Expected<ImportSource> given = read_import_files(files, reading);
+  ASSERT_TRUE(given) << given.errors()[0].message;
+  EXPECT_EQ(given->leaflets[1].faces, named->leaflets[1].faces);
+}
+
+TEST(ImportFiles, LeafletsOfOtherValvesAreRefusedOrLeftOut) {
+  ImportFiles files;
+  const auto with_names = [&](const std::string& before) {
+    files.labels = {"x.nrrd",
+                    scallops_nrrd("Segment0_Name:=" + before +
+                                  "anterior leaflet\nSegment0_LabelValue:=1\n"
+                                  "Segment1_Name:=" +
+                                  before +
+                                  "posterior leaflet\nSegment1_LabelValue:=2\n"
+                                  "Segment2_Name:=Septal leaflet\nSegment2_LabelValue:=4\n")};
+    return read_import_files(files);
+  };
+  const Expected<ImportSource> tricuspid = with_names("");
+  ASSERT_FALSE(tricuspid);
+  EXPECT_EQ(tricuspid.errors()[0].code, ErrorCode::Unsupported);
+  const Expected<ImportSource> both = with_names("Mitral ");
+  ASSERT_TRUE(both);
+  EXPECT_NE(told(*both).find("1 of 4 labels not used: 4"), std::string::npos) << told(*both);
+  ImportReading reading;
+  reading.labels = {{1}, {2}, {}};
+  const Expected<ImportSource> given = read_import_files(files, reading);
+  ASSERT_TRUE(given);
+  EXPECT_NE(told(*given).find("not used"), std::string::npos);
+}
+
+TEST(ImportFiles, OneLabelALayerCountsByLayer) {
+  std::string text = labels_nrrd("kinds: list domain domain domain\n", {1, 2, 3});
+  text.replace(text.find("dimension: 3"), 12, "dimension: 4");
+  text.replace(text.find("sizes: "), 7, "sizes: 3 ");
+  text.replace(text.find("space directions: "), 18, "space directions: none ");
+  const std::size_t voxels = text.find("\n\n") + 2;
+  std::string layered = text.substr(0, voxels);
+  for (std::size_t at = voxels; at < text.size(); at += 2)
+    for (const char label : {'3', '2', '1'}) layered += text[at] == label ? "1 " : "0 ";
+  ImportFiles files;
+  files.labels = {"x.nrrd", layered};
+  const Expected<ImportSource> source = read_import_files(files);
+  ASSERT_TRUE(source) << source.errors()[0].path << source.errors()[0].message;
+  EXPECT_EQ(source->annulus_mm.rows(), 72);
+  EXPECT_EQ(source->order.called, (std::array<std::string, 2>{"label 2", "label 3"}));
 }
 
 TEST(ImportFiles, LabelsThatAreNotThereOrTwiceAreNamed) {
   ImportFiles files;
+  files.labels = {"x.nrrd", labels_nrrd("", {1, 0, 3})};
+  EXPECT_EQ(read_import_files(files).errors()[0].path, "/label_numbers/anterior");
   files.labels = {"x.nrrd", labels_nrrd("", {1, 5, 3})};
-  EXPECT_EQ(read_import_files(files).errors()[0].path, "/label_numbers/posterior");
   ImportReading reading;
-  reading.labels = {1, 1, {}};
+  reading.labels = {{1}, {1}, {}};
   EXPECT_EQ(read_import_files(files, reading).errors()[0].path, "/label_numbers");
-  reading.labels = {1, 5, 1};
+  reading.labels = {{9}, {}, {}};
+  EXPECT_EQ(read_import_files(files, reading).errors()[0].path, "/label_numbers/anterior");
+  reading.labels = {{1}, {5}, {1}};
+  EXPECT_FALSE(read_import_files(files, reading));
+  reading.labels = {{1}, {3}, {5}};
   EXPECT_FALSE(read_import_files(files, reading)) << "a plate is no ring";
   files.leaflets = {{"a.obj", kTriangle}};
   EXPECT_EQ(read_import_files(files, {}).errors()[0].path, "/labels");
+}
+
+TEST(ImportFiles, AClosedCurveOfSlicerIsASplineAndNeedsPoints) {
+  const auto curve = [](int points, const std::string& more) {
+    std::string list;
+    for (int i = 0; i < points; ++i) {
+      const double angle = 2.0 * M_PI * i / points;
+      list += (i == 0 ? "" : ",") + std::string("{\"position\": [") +
+              std::to_string(18.0 * std::cos(angle)) + ',' +
+              std::to_string(18.0 * std::sin(angle)) + ",0]}";
+    }
+    return R"({"@schema": "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#",
+      "markups": [{"type": "ClosedCurve", )" +
+           more + R"("controlPoints": [)" + list + "]}]}";
+  };
+  const auto length = [](const Points& loop) {
+    double sum = 0.0;
+    for (Eigen::Index i = 0; i < loop.rows(); ++i)
+      sum += (loop.row((i + 1) % loop.rows()) - loop.row(i)).norm();
+    return sum;
+  };
+  const double round = 36.0 * M_PI;
+  for (const auto& [points, share] :
+       {std::pair(8, 0.005), {14, 0.001}, {40, 0.0005}, {60, 0.0005}}) {
+    const Expected<Points> loop = read_closed_loop(curve(points, ""), "json");
+    ASSERT_TRUE(loop) << points;
+    EXPECT_NEAR(length(*loop), round, share * round) << points;
+  }
+  EXPECT_EQ(read_closed_loop(curve(14, R"("curveType": "linear", )"), "json")->rows(), 14);
+  for (const int few : {0, 3}) {
+    const Expected<Points> loop = read_closed_loop(curve(few, ""), "json");
+    ASSERT_FALSE(loop);
+    EXPECT_EQ(loop.errors()[0].path, "/markups");
+  }
+}
+
+TEST(ImportFiles, TablesOfSlicerSayTheirAxes) {
+  for (const auto& [head, turned] :
+       {std::pair("# CoordinateSystem = LPS\n# columns = id,x,y,z\n", false),
+        {"# CoordinateSystem = 0\n# columns = id,x,y,z\n", true},
+        {"label,r,a,s\n", true},
+        {"label,l,p,s\n", false}}) {
+    ImportFiles files = with_head("");
+    files.annulus = {"ring.fcsv", head + std::string("1,1,2,3\n")};
+    const Expected<ImportSource> source = read_import_files(files);
+    ASSERT_TRUE(source) << head << source.errors()[0].message;
+    EXPECT_EQ(source->annulus_mm(0, 0), turned ? -1.0 : 1.0) << head;
+  }
 }
 
 TEST(ImportFiles, ASeriesPlacesLabelsAndNeedsThem) {

@@ -40,7 +40,7 @@ TEST(GivenLandmarks, AreWhereTheyWereSeen) {
     ASSERT_TRUE(done) << done.errors()[0].path << ' ' << done.errors()[0].message;
     expect_seen(done->valve);
     const ImportDecision& told = done->decisions[done->decisions.size() - 2];
-    EXPECT_EQ(told.about + ": " + told.decision,
+    EXPECT_EQ(told.subject + ": " + told.value,
               "landmarks: anterolateral commissure, posteromedial commissure, saddle peak, "
               "mid-posterior as given");
   }

@@ -41,12 +41,12 @@ TEST(ImportDrawn, EveryDecisionIsASentenceOfTheProvenance) {
   ASSERT_GT(told.size(), decisions.size());
   for (std::size_t i = 0; i < decisions.size(); ++i) {
     const std::string& sentence = told[told.size() - decisions.size() + i];
-    EXPECT_TRUE(sentence.starts_with(decisions[i].about + ": " + decisions[i].decision));
+    EXPECT_TRUE(sentence.starts_with(decisions[i].subject + ": " + decisions[i].value));
     EXPECT_TRUE(sentence.ends_with(decisions[i].reason)) << sentence;
   }
-  EXPECT_EQ(decisions.front().about, "units");
-  EXPECT_EQ(decisions.front().decision, "mm");
-  EXPECT_EQ(decisions.back().about, "chordae");
+  EXPECT_EQ(decisions.front().subject, "units");
+  EXPECT_EQ(decisions.front().value, "mm");
+  EXPECT_EQ(decisions.back().subject, "chordae");
 }
 
 TEST(ImportDrawn, SheetsOrientTheValveAsTipsDo) {

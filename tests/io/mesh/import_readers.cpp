@@ -91,14 +91,47 @@ TEST(ImportReaders, PointsAreReadWithCommentsAndWithoutTheirNames) {
   EXPECT_EQ(points->row(1), Eigen::RowVector3d(4.0, 5.0, 6.5));
 }
 
-TEST(ImportReaders, SemicolonsAreOneError) {
-  for (const char* table : {"1;2;3\n4;5;6\n", "x;y;z\n1;2;3\n", "# loop\n1,5;2,5;3,5\n"}) {
+TEST(ImportReaders, TheSamePointsInAnyTable) {
+  for (const char* table :
+       {"1.5,2,3\n4,5,6.5\n", "\xef\xbb\xbfx,y,z\r\n1.5,2,3\r\n4,5,6.5\r\n",
+        "1.5\t2\t3\n4\t5\t6.5\n", "1.5 2   3\n  4 5 6.5 \n", "1.5;2;3\n4;5;6.5\n",
+        "x;y;z\n1,5;2;3\n4;5;6,5\n", "1,5 2,0 3,0\n4,0 5,0 6,5\n", "1,5\t2\t3\n4\t5\t6,5\n",
+        "y,z,id,x\n2,3,7,1.5\n5,6.5,8,4\n", "id,X [mm],Y [mm],Z [mm]\n1,1.5,2,3\n2,4,5,6.5\n",
+        "\"Points:0\",\"Points:1\",\"Points:2\",\"Block Name\"\n1.5,2,3,a\n4,5,6.5,a\n",
+        "% x y z\n1.5 2 3\n4 5 6.5\n", "// traced\n# x_mm y_mm z_mm\n1.5 2 3\n4 5 6.5\n",
+        "label,r,a,s\nF-1,1.5,2,3\nF-2,4,5,6.5\n", "1.5,2,3,\n4,5,6.5,\n",
+        "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n# columns = "
+        "id,x,y,z,ow,label\n"
+        "1,1.5,2,3,0,C-1\n2,4,5,6.5,0,C-2\n"}) {
     const Expected<Points> points = read_points_csv(table);
-    ASSERT_FALSE(points) << table;
-    ASSERT_EQ(points.errors().size(), 1U) << table;
-    EXPECT_NE(points.errors()[0].message.find("semicolons"), std::string::npos)
-        << points.errors()[0].message;
+    ASSERT_TRUE(points) << table << points.errors()[0].message;
+    ASSERT_EQ(points->rows(), 2) << table;
+    EXPECT_EQ(points->row(0), Eigen::RowVector3d(1.5, 2.0, 3.0)) << table;
+    EXPECT_EQ(points->row(1), Eigen::RowVector3d(4.0, 5.0, 6.5)) << table;
   }
+}
+
+TEST(ImportReaders, ColumnsThatNothingNamesAreNotGuessed) {
+  const Expected<Points> four = read_points_csv("0,1.5,2,3\n1,4,5,6.5\n");
+  ASSERT_FALSE(four);
+  EXPECT_NE(four.errors()[0].message.find("has 4 columns without names"), std::string::npos);
+  const Expected<Points> two = read_points_csv("x,y\n1,2\n");
+  ASSERT_FALSE(two);
+  EXPECT_NE(two.errors()[0].message.find("not all of x, y and z"), std::string::npos);
+}
+
+TEST(ImportReaders, TipsByTheirColumnsOrTheirLabels) {
+  for (const char* table :
+       {"AL,1,2,3\nPM,4,5,6\n", "x,y,z,papillary\n1,2,3,AL\n4,5,6,posteromedial\n",
+        "# columns = id,x,y,z,label\n1,1,2,3,AL-1\n2,4,5,6,PM-1\n"}) {
+    const auto tips = read_tips_csv(table);
+    ASSERT_TRUE(tips) << table << tips.errors()[0].message;
+    ASSERT_EQ(tips->size(), 2U);
+    EXPECT_EQ((*tips)[0].side, Side::Anterolateral);
+    EXPECT_EQ((*tips)[1].side, Side::Posteromedial);
+    EXPECT_EQ((*tips)[1].position_mm, Vec3(4, 5, 6)) << table;
+  }
+  EXPECT_EQ(read_tips_csv("left,1,2,3\n").errors()[0].path, "/tips/0/papillary");
 }
 
 TEST(ImportReaders, APointThatIsNoneNamesItsLine) {

@@ -96,7 +96,7 @@ TEST(ImportSheets, ThickLeafletsWithoutAnAnnulusAreImported) {
 
 const ImportDecision* told(const ImportedValve& valve, const std::string& about) {
   for (const ImportDecision& decision : valve.decisions)
-    if (decision.about == about) return &decision;
+    if (decision.subject == about) return &decision;
   return nullptr;
 }
 
@@ -111,12 +111,12 @@ TEST(ImportSheets, WhatWasGuessedIsSaidAndMarked) {
     ASSERT_NE(told(*judged, about), nullptr) << about;
     EXPECT_TRUE(told(*judged, about)->look) << about;
   }
-  EXPECT_EQ(told(*judged, "state")->decision, "imaged closed");
+  EXPECT_EQ(told(*judged, "state")->value, "imaged closed");
   options.closed = false;
   const Expected<ImportedValve> given =
       import_with_decisions(preset_leaflets("human-normal", false), options);
   ASSERT_TRUE(given);
-  EXPECT_EQ(told(*given, "state")->decision, "open, as given");
+  EXPECT_EQ(told(*given, "state")->value, "open, as given");
   EXPECT_FALSE(told(*given, "state")->look);
 }
 

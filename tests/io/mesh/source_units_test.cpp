@@ -39,15 +39,49 @@ TEST(SourceUnits, GivenUnitsAreTaken) {
               *import_valve(cone_source(), {}), "units: cm; as given");
 }
 
-TEST(SourceUnits, NothingIsGuessedFromWhatIsNoAnnulus) {
+UnitReading reading_of(const Points& annulus) {
+  ImportSource source;
+  source.annulus_mm = annulus;
+  return unit_of(source);
+}
+
+TEST(SourceUnits, TheOnlyUnitThatMakesAUsualAnnulusIsTaken) {
   const Points circle = cone_source().annulus_mm;  // 113 mm round
-  EXPECT_EQ(guessed_unit(circle), LengthUnit::Millimetre);
-  EXPECT_EQ(guessed_unit(0.1 * circle), LengthUnit::Centimetre);
-  EXPECT_EQ(guessed_unit(0.001 * circle), LengthUnit::Metre);
-  EXPECT_EQ(guessed_unit(0.0001 * circle), std::nullopt);
-  EXPECT_EQ(guessed_unit(10.0 * circle), std::nullopt);
-  EXPECT_EQ(guessed_unit(circle.topRows(2)), std::nullopt);
-  EXPECT_EQ(guessed_unit(circle * std::numeric_limits<double>::quiet_NaN()), std::nullopt);
+  for (const LengthUnit unit :
+       {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch, LengthUnit::Metre}) {
+    const UnitReading read = reading_of(circle / in_mm(unit));
+    EXPECT_EQ(read.unit, unit) << to_string(unit);
+    EXPECT_EQ(read.look, unit == LengthUnit::Inch) << to_string(unit);
+  }
+}
+
+TEST(SourceUnits, WhatIsUsualInTwoUnitsOrNoneIsLookedAt) {
+  const Points circle = cone_source().annulus_mm;
+  const UnitReading two = reading_of(circle * (7.5 / 113.0));  // 75 mm in cm, 190 mm in inches
+  EXPECT_EQ(two.unit, LengthUnit::Centimetre);
+  EXPECT_TRUE(two.look);
+  EXPECT_NE(two.reason.find("mm if in in"), std::string::npos) << two.reason;
+  for (const double length : {0.02, 0.5, 2.5, 25.0, 400.0})
+    EXPECT_TRUE(reading_of(circle * (length / 113.0)).look) << length;
+  EXPECT_FALSE(reading_of(circle.topRows(2)).look) << "no annulus, which is refused later";
+}
+
+TEST(SourceUnits, LeafletsOfASizeThatNoHeartHasAreRefused) {
+  for (const double factor : {0.0001, 20.0}) {
+    ImportSource source = cone_source();
+    source.annulus_mm.resize(0, 3);
+    scale(source, factor);
+    const Expected<Valve> valve = import_valve(source, {});
+    ASSERT_FALSE(valve) << factor;
+    EXPECT_EQ(valve.errors().front().path, "/leaflets") << factor;
+  }
+}
+
+TEST(SourceUnits, FilesThatStateTheirUnitAreNotGuessed) {
+  ImportSource source = cone_source();
+  scale(source, 0.1);
+  source.unit = LengthUnit::Millimetre;
+  EXPECT_EQ(unit_of(source).unit, LengthUnit::Millimetre);
 }
 
 TEST(SourceUnits, LengthsAndPlacesAreScaledDiametersAreNot) {

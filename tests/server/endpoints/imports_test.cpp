@@ -50,7 +50,7 @@ Json cone_request(bool as_stl = false) {
 /// The first one; null if there is none.
 Json decision_about(const Json& decisions, const std::string& what) {
   const auto found = std::find_if(decisions.begin(), decisions.end(),
-                                  [&](const Json& of) { return of["about"] == what; });
+                                  [&](const Json& of) { return of["subject"] == what; });
   return found == decisions.end() ? Json() : *found;
 }
 
@@ -64,10 +64,11 @@ TEST_F(ImportsTest, FilesBecomeAValveThatIsStored) {
   EXPECT_EQ(valve["name"], "a cone");
   EXPECT_EQ(valve["provenance"][0], "made up");
   EXPECT_EQ(decision_about(json_of(answer)["decisions"], "units"),
-            (Json{{"about", "units"},
-                  {"decision", "mm"},
+            (Json{{"subject", "units"},
+                  {"value", "mm"},
                   {"reason", "by the annulus's circumference"},
-                  {"look", false}}));
+                  {"look", false},
+                  {"confidence", 1.0}}));
   EXPECT_EQ(valve["faces"].size(), json_of(answer)["triangles"]);
   EXPECT_EQ(post("/v1/valves:import", request).status, 200);
 }
@@ -109,7 +110,7 @@ TEST_F(ImportsTest, ChordaeThatWereNotSeenAreDrawn) {
   ASSERT_EQ(answer.status, 201) << json_of(answer);
   const Json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
   EXPECT_EQ(valve["drawn_chordae"], (Json{{"seed", 1}, {"tips_given", false}}));
-  EXPECT_EQ(json_of(answer)["decisions"].back()["about"], "chordae");
+  EXPECT_EQ(json_of(answer)["decisions"].back()["subject"], "chordae");
   Json seen = unseen_request();
   seen["tips"] = {{"name", "tips.csv"}, {"text", "AL,-13,-4,-24\nPM,13,-4,-24\n"}};
   const Answer with_tips = post("/v1/valves:import", seen);
@@ -229,7 +230,7 @@ TEST_F(ImportsTest, LandmarksThatWereSeenAreTaken) {
   ASSERT_EQ(answer.status, 201) << json_of(answer);
   const Json decisions = json_of(answer)["decisions"];
   EXPECT_TRUE(std::any_of(decisions.begin(), decisions.end(), [](const Json& of) {
-    return of["decision"] == "saddle peak, mid-posterior as given";
+    return of["value"] == "saddle peak, mid-posterior as given";
   }));
   request["landmarks"] = {{"saddle_peak", {0.0, 40.0, 0.0}}};
   EXPECT_EQ(refusal(post("/v1/valves:import", request)),
@@ -309,9 +310,9 @@ TEST_F(ImportsTest, AsAJobAPictureStandsBesideTheValve) {
   EXPECT_EQ(ended["state"], "SUCCEEDED");
   EXPECT_EQ(ended["made"], ended["valve"]);
   const Json result = json_of(get(ended["links"]["result"]));
-  EXPECT_EQ(result["schema"], "coapt.import/1");
+  EXPECT_EQ(result["schema"], "coapt.import/2");
   EXPECT_EQ(result["valve"], ended["made"]);
-  EXPECT_EQ(decision_about(result["decisions"], "units")["decision"], "mm");
+  EXPECT_EQ(decision_about(result["decisions"], "units")["value"], "mm");
   EXPECT_TRUE(result["fit"].is_null());
   EXPECT_TRUE(bytes_of(get(ended["links"]["picture"])).starts_with("\x89PNG"));
   const std::string document = bytes_of(get("/v1/jobs/" + job + "/files/valve.json"));
@@ -354,7 +355,7 @@ TEST_F(ImportsTest, AFitChangesTheValveThatWasImported) {
   EXPECT_NE(result["valve"], result["imported"]);
   EXPECT_EQ(result["fit"]["schema"], "coapt.fit/1");
   EXPECT_LT(result["fit"]["rms_mm"], result["fit"]["rms_before_mm"]);
-  EXPECT_EQ(result["decisions"].back()["about"], "fit");
+  EXPECT_EQ(result["decisions"].back()["subject"], "fit");
   const Json valve = json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
   EXPECT_TRUE(valve["provenance"].back().get<std::string>().starts_with("fitted to the closed"));
   EXPECT_EQ(valve.dump().find("Smith"), std::string::npos);

@@ -41,6 +41,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
       ['', 'by the annulus'],
       ['mm', 'mm'],
       ['cm', 'cm'],
+      ['in', 'in'],
       ['m', 'm'],
     ],
     '',

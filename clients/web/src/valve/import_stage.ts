@@ -141,8 +141,8 @@ export function decisionList(decisions: ImportDecision[]): HTMLElement {
   const toLook = (decision: ImportDecision): boolean => decision.look === true
   for (const decision of [...decisions.filter(toLook), ...decisions.filter((one) => !toLook(one))])
     list.append(
-      h('dt', {}, decision.about, toLook(decision) && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check')),
-      h('dd', {}, decision.decision, decision.reason && h('span', { class: parts.hint }, ` ${decision.reason}`)),
+      h('dt', {}, decision.subject, toLook(decision) && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check')),
+      h('dd', {}, decision.value, decision.reason && h('span', { class: parts.hint }, ` ${decision.reason}`)),
     )
   return list
 }

@@ -57,7 +57,7 @@ export function placed<T>(files: T[], roles: Role[]): Map<string, T> {
 export interface ImportSettings {
   name: string
   triangles: number
-  units: 'mm' | 'cm' | 'm' | null // null: guessed
+  units: 'mm' | 'cm' | 'in' | 'm' | null // null: guessed
   closed: boolean // the leaflets were imaged so
   seed: number | null // of chordae that are drawn; null: they are among the files
   places: Places // that were picked

@@ -1,0 +1,163 @@
+#include "io/mesh/plausibility.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/valve/contour.h"
+#include "core/valve/number_text.h"
+#include "io/mesh/mesh_distance.h"
+#include "io/mesh/sheet_repair.h"
+#include "io/mesh/source_units.h"
+
+namespace coapt {
+namespace {
+
+constexpr Eigen::Index kMostSamples = 4000;          // of a mesh, for distances
+constexpr double kLongSide = 4.0;                    // times the median, of a contour's sides
+constexpr double kGap_deg = 20.0, kOpen_deg = 60.0;  // that a long side spans: looked at, refused
+constexpr double kFarRms_mm = 1.0, kFarMax_mm = 5.0;
+constexpr double kBeside_mm = 2.0;        // of sheets from the contour, in the mean
+constexpr Range kAreaRatio = {0.8, 3.0};  // leaflets over annulus; 1.3 is normal
+constexpr Range kAnteriorMm = {10.0, 45.0}, kPosteriorMm = {5.0, 35.0};  // heights at A2 and P2
+constexpr Range kDiameterRatio = {0.45, 1.2};  // anteroposterior over transverse
+constexpr Range kUsualTipDepthMm = {8.0, 60.0};     // 23.5 +- 3.8 from the annulus
+
+bool is_in(double value, const Range& range) { return value >= range.min && value <= range.max; }
+
+struct Far {
+  double rms_mm = 0.0, max_mm = 0.0;
+};
+
+Far apart(const Points& points_mm, const std::vector<TriangleMesh>& sheets,
+          const ClosureBudget& budget) {
+  const Eigen::Index stride = 1 + points_mm.rows() / kMostSamples;
+  Far far;
+  int count = 0;
+  for (Eigen::Index i = 0; i < points_mm.rows() && !budget.is_cancelled(); i += stride) {
+    const double distance = distance_mm(sheets, points_mm.row(i));
+    far.rms_mm += distance * distance;
+    far.max_mm = std::max(far.max_mm, distance);
+    ++count;
+  }
+  far.rms_mm = std::sqrt(far.rms_mm / std::max(1, count));
+  return far;
+}
+
+double projected_area_mm2(const Points& loop_mm) {
+  double area = 0.0;
+  for (Eigen::Index i = 0; i < loop_mm.rows(); ++i) {
+    const Eigen::RowVector3d a = loop_mm.row(i), b = loop_mm.row((i + 1) % loop_mm.rows());
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  return std::abs(area);
+}
+
+double station_height_mm(const Skirt& skirt, int station) {
+  double height = 0.0;
+  for (int row = 0; row < skirt.rows; ++row)
+    height += (skirt.vertices_mm.row((row + 1) * skirt.stations + station) -
+               skirt.vertices_mm.row(row * skirt.stations + station))
+                  .norm();
+  return height;
+}
+
+std::string range_text(const Range& range, const char* unit) {
+  return "usual are " + significant(range.min, 3) + " to " + significant(range.max, 3) + unit;
+}
+
+}  // namespace
+
+Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
+  if (annulus_mm.rows() < 6 || !annulus_mm.allFinite()) return std::vector<ImportDecision>{};
+  const Vec3 centre = arc_centroid(annulus_mm);
+  const Points centred = annulus_mm.rowwise() - centre.transpose();
+  const Eigen::Matrix3d axes =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred).eigenvectors();
+  const Eigen::MatrixX2d flat = centred * axes.rightCols<2>();
+  std::vector<double> sides;
+  double turned = 0.0, longest = 0.0, gap_deg = 0.0;
+  for (Eigen::Index i = 0; i < flat.rows(); ++i) {
+    const Eigen::Index next = (i + 1) % flat.rows();
+    const double side = (annulus_mm.row(next) - annulus_mm.row(i)).norm();
+    const double turn = std::atan2(flat(i, 0) * flat(next, 1) - flat(i, 1) * flat(next, 0),
+                                   flat.row(i).dot(flat.row(next)));
+    turned += turn;
+    if (!(side > 0.0)) continue;
+    sides.push_back(side);
+    if (side <= longest) continue;
+    longest = side;
+    gap_deg = std::abs(turn) * 180.0 / std::numbers::pi;
+  }
+  if (sides.empty()) return std::vector<ImportDecision>{};
+  std::nth_element(sides.begin(), sides.begin() + std::ssize(sides) / 2, sides.end());
+  const double median = sides[sides.size() / 2];
+  if (std::abs(turned) > 3.0 * std::numbers::pi)
+    return Error{ErrorCode::BadGeometry, "/annulus_mm",
+                 "leads round its middle " +
+                     std::to_string(std::lround(std::abs(turned) / (2.0 * std::numbers::pi))) +
+                     " times; must lead once round the annulus"};
+  if (longest < kLongSide * median || gap_deg < kGap_deg) return std::vector<ImportDecision>{};
+  const std::string gap = "its longest side, " + significant(longest, 3) + " mm, is " +
+                          significant(longest / median, 2) + " times the median side";
+  if (gap_deg > kOpen_deg)
+    return Error{ErrorCode::BadGeometry, "/annulus_mm",
+                 "is open over " + significant(gap_deg, 3) + " degrees: " + gap +
+                     "; must lead all round the annulus, or leave it out and it is found along the "
+                     "leaflets' outlines"};
+  return std::vector<ImportDecision>{
+      {"contour", "closed by a straight side over " + significant(gap_deg, 2) + " degrees", gap,
+       true, 0.5}};
+}
+
+TwoWayDistance two_way_distance(const std::vector<TriangleMesh>& sheets, const Valve& valve,
+                                const ClosureBudget& budget) {
+  const Far to = apart(valve.rest_mm, sheets, budget);
+  const std::vector<TriangleMesh> made = {{valve.rest_mm, valve.faces, {}}};
+  TwoWayDistance both{to.rms_mm, to.max_mm, 0.0, 0.0};
+  double sum = 0.0;
+  for (const TriangleMesh& sheet : sheets) {
+    const Far from = apart(sheet.vertices_mm, made, budget);
+    sum += from.rms_mm * from.rms_mm / static_cast<double>(sheets.size());
+    both.from_sheets_max_mm = std::max(both.from_sheets_max_mm, from.max_mm);
+  }
+  both.from_sheets_rms_mm = std::sqrt(sum);
+  return both;
+}
+
+bool is_far(const TwoWayDistance& apart) {
+  return std::max(apart.to_sheets_rms_mm, apart.from_sheets_rms_mm) > kFarRms_mm ||
+         std::max(apart.to_sheets_max_mm, apart.from_sheets_max_mm) > kFarMax_mm;
+}
+
+std::vector<ImportDecision> valve_checks(const FramedSource& source, const Skirt& skirt,
+                                         const Valve& valve, bool closed) {
+  std::vector<ImportDecision> doubts;
+  const auto check = [&](const char* what, double value, const Range& range, const char* unit) {
+    if (!is_in(value, range))
+      doubts.push_back({"size", std::string(what) + ' ' + significant(value, 3) + unit,
+                        range_text(range, unit), true, 0.5});
+  };
+  const Points& annulus = source.annulus_mm;
+  check("circumference of the annulus", ArcLength(annulus).total_mm(), kUsualCircumferenceMm,
+        " mm");
+  const Eigen::RowVector3d size = annulus.colwise().maxCoeff() - annulus.colwise().minCoeff();
+  check("anteroposterior over transverse diameter", size.y() / size.x(), kDiameterRatio, "");
+  check("leaflets' area over the annulus's",
+        area_mm2({valve.rest_mm, valve.faces, {}}) / std::max(1.0, projected_area_mm2(annulus)),
+        kAreaRatio, "");
+  check("height at A2", station_height_mm(skirt, skirt.lateral_commissure / 2), kAnteriorMm, " mm");
+  check("height at P2", station_height_mm(skirt, (skirt.lateral_commissure + skirt.stations) / 2),
+        kPosteriorMm, " mm");
+  for (const ImportedTip& tip : source.tips)
+    check("depth of a papillary tip", -tip.position_mm.z(), kUsualTipDepthMm, " mm");
+  if (!closed && skirt.annulus_gap_mm > kBeside_mm)
+    doubts.push_back({"contour",
+                      "beside the leaflets, which begin " + significant(skirt.annulus_gap_mm, 3) +
+                          " mm away in the mean",
+                      "usual are up to " + significant(kBeside_mm, 2) + " mm", true, 0.5});
+  return doubts;
+}
+
+}  // namespace coapt

@@ -1,0 +1,119 @@
+#include "io/mesh/plausibility.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cone_scene.h"
+
+namespace coapt {
+namespace {
+
+/// Points on a circle of radius 18 mm, from 0 to `span_deg`, the end left out.
+Points arc(double span_deg, int points) {
+  Points loop(points, 3);
+  for (int i = 0; i < points; ++i) {
+    const double angle = span_deg * i / points * std::numbers::pi / 180.0;
+    loop.row(i) << 18.0 * std::cos(angle), 18.0 * std::sin(angle), 0.0;
+  }
+  return loop;
+}
+
+TEST(Plausibility, AContourOverAPartOfTheAnnulusIsRefused) {
+  for (const double span : {180.0, 250.0, 290.0}) {
+    const auto checked = contour_checks(arc(span, 60));
+    ASSERT_FALSE(checked) << span;
+    EXPECT_EQ(checked.errors()[0].path, "/annulus_mm");
+    EXPECT_NE(checked.errors()[0].message.find("is open over"), std::string::npos);
+  }
+}
+
+TEST(Plausibility, ASmallGapIsLookedAtAndAWholeOneIsNot) {
+  const auto gap = contour_checks(arc(320.0, 60));
+  ASSERT_TRUE(gap);
+  ASSERT_EQ(gap->size(), 1U);
+  EXPECT_TRUE((*gap)[0].look);
+  for (const int points : {12, 60, 720}) EXPECT_TRUE(contour_checks(arc(360.0, points))->empty());
+  Points closed = arc(360.0, 60);
+  closed.conservativeResize(61, 3);
+  closed.row(60) = closed.row(0);
+  EXPECT_TRUE(contour_checks(closed)->empty()) << "the first point again";
+}
+
+TEST(Plausibility, AContourTwiceRoundIsRefused) {
+  const auto checked = contour_checks(arc(720.0, 120));
+  ASSERT_FALSE(checked);
+  EXPECT_NE(checked.errors()[0].message.find("2 times"), std::string::npos);
+}
+
+std::vector<std::string> looked_at(const ImportSource& source, const ImportOptions& options = {}) {
+  const Expected<ImportedValve> made = import_with_decisions(source, options);
+  std::vector<std::string> subjects;
+  if (made)
+    for (const ImportDecision& decision : made->decisions)
+      if (decision.look) subjects.push_back(decision.subject);
+  return subjects;
+}
+
+TEST(Plausibility, SizesOfNoHeartAreLookedAt) {
+  EXPECT_TRUE(looked_at(cone_source()).empty());
+  ImportSource large = cone_source(), small = cone_source();
+  for (const auto& [source, factor] : {std::pair(&large, 2.2), {&small, 0.5}}) {
+    for (TriangleMesh& mesh : source->leaflets) mesh.vertices_mm *= factor;
+    source->annulus_mm *= factor;
+    for (ImportedChorda& chorda : source->chordae) {
+      chorda.insertion_mm *= factor;
+      chorda.tip_mm *= factor;
+    }
+    const auto subjects = looked_at(*source, {.units = LengthUnit::Millimetre});
+    EXPECT_NE(std::find(subjects.begin(), subjects.end(), "size"), subjects.end()) << factor;
+  }
+}
+
+TEST(Plausibility, AContourBesideTheLeafletsIsLookedAt) {
+  ImportSource source = cone_source();
+  source.annulus_mm.col(2).array() += 2.5;
+  const auto subjects = looked_at(source);
+  EXPECT_NE(std::find(subjects.begin(), subjects.end(), "contour"), subjects.end());
+}
+
+/// Two sheets without tips, in an annulus whose front and back rise by `saddle_mm` over its sides, `depth` of their own.
+ImportSource flat_sheets(double saddle_mm, double depth) {
+  ImportSource source = cone_source_with_gaps();
+  const auto raised = [&](Points& points) {
+    for (auto point : points.rowwise()) {
+      const double cosine = 2.0 * std::pow(point.y() / point.head<2>().norm(), 2) - 1.0;
+      point.z() = depth * point.z() + 0.5 * saddle_mm * cosine;
+    }
+  };
+  for (TriangleMesh& mesh : source.leaflets) raised(mesh.vertices_mm);
+  raised(source.annulus_mm);
+  source.chordae.clear();
+  return source;
+}
+
+TEST(Plausibility, TheAtriumIsNotToldByASignOfRounding) {
+  ImportOptions drawn;
+  drawn.closed = false;
+  drawn.chordae_seed = 1;
+  const auto made = [&](double saddle_mm, double depth) {
+    return import_with_decisions(flat_sheets(saddle_mm, depth), drawn);
+  };
+  const auto atrium = [](const ImportedValve& valve) {
+    return *std::find_if(valve.decisions.begin(), valve.decisions.end(),
+                         [](const ImportDecision& of) { return of.subject == "atrium"; });
+  };
+  const Expected<ImportedValve> flat = made(0.0, 0.05);
+  ASSERT_FALSE(flat);
+  EXPECT_EQ(flat.errors()[0].path, "/tips");
+  const Expected<ImportedValve> hangs = made(4.0, 1.0);
+  ASSERT_TRUE(hangs) << hangs.errors()[0].message;
+  EXPECT_FALSE(atrium(*hangs).look);
+  const Expected<ImportedValve> disagrees = made(-4.0, 1.0);
+  ASSERT_TRUE(disagrees) << disagrees.errors()[0].message;
+  EXPECT_TRUE(atrium(*disagrees).look);
+}
+
+}  // namespace
+}  // namespace coapt
