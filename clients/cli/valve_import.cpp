@@ -124,8 +124,8 @@ int run(ValveImportArguments& arguments) {
   if (!valve) {
     if (!folder.empty()) return report_errors(folder, valve.errors());
     return report_option_errors("valve import", valve.errors(),
-                                {{"/leaflets", "--leaflet"},
-                                 {"/annulus_mm", "--annulus"},
+                                {{"/leaflets", named ? "--leaflet" : "leaflets"},
+                                 {"/annulus_mm", named ? "--annulus" : "annulus"},
                                  {"/tips", "--tips"},
                                  {"/tips_mm", "--tips"},
                                  {"/thickness_measured", "--thickness"},

@@ -311,7 +311,7 @@ class LabelChoice {
     if (of(Part::Annulus).empty())
       for (const Candidate* candidate : free)
         if (const auto line = label_curve(map_, candidate->label); !line && candidate->number == 3)
-          why = "; label 3 is not the annulus either: it " + line.errors()[0].message;
+          why = "; the file " + line.errors()[0].message;
     problems_.add(
         ErrorCode::BadReference, "/label_numbers",
         "is missing: " + listed(is_free) +

@@ -22,6 +22,7 @@
 namespace coapt {
 namespace {
 
+const Error kEmpty = {ErrorCode::MissingField, "", "has no rows"};
 constexpr Range kCoordinateMm = {-1e5, 1e5};
 
 const std::vector<std::string> kSides = {"AL", "PM", "anterolateral", "posteromedial"};
@@ -108,6 +109,7 @@ Expected<std::vector<ImportedChorda>> read_chordae_csv(std::string_view text) {
     problems.add(ErrorCode::MissingField, "/chordae", "has no column " + name);
   }
   if (!problems.empty()) return std::move(problems).take();
+  if (table->rows.empty()) return kEmpty;
   std::vector<ImportedChorda> chordae;
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     const auto row = reader(*table, names, i, "/chordae", problems);
@@ -203,6 +205,7 @@ std::optional<Side> side_named(std::string_view text) {
 Expected<Points> read_points_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"x"});
   if (!table) return table.errors();
+  if (table->rows.empty()) return kEmpty;
   const Expected<std::vector<std::string>> axes = point_columns(*table, 0);
   if (!axes) return axes.errors();
   ProblemList problems;
@@ -220,6 +223,7 @@ Expected<Points> read_points_csv(std::string_view text) {
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"papillary", "label"});
   if (!table) return table.errors();
+  if (table->rows.empty()) return kEmpty;
   const Expected<std::vector<std::string>> axes = point_columns(*table, 1);
   if (!axes) return axes.errors();
   const std::string side = table->has("label") ? "label" : "papillary";

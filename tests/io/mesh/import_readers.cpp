@@ -115,6 +115,9 @@ TEST(ImportReaders, ColumnsThatNothingNamesAreNotGuessed) {
   const Expected<Points> four = read_points_csv("0,1.5,2,3\n1,4,5,6.5\n");
   ASSERT_FALSE(four);
   EXPECT_NE(four.errors()[0].message.find("has 4 columns without names"), std::string::npos);
+  for (const char* empty : {"", "x;y;z\n", "# a ring\n"}) EXPECT_FALSE(read_points_csv(empty));
+  EXPECT_FALSE(read_tips_csv("papillary,x,y,z\n"));
+  EXPECT_FALSE(read_chordae("id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z\n", "csv"));
   const Expected<Points> two = read_points_csv("x,y\n1,2\n");
   ASSERT_FALSE(two);
   EXPECT_NE(two.errors()[0].message.find("not all of x, y and z"), std::string::npos);
