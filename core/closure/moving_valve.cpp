@@ -45,6 +45,7 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
                             const Points& start)
     : model_(model),
       settings_(settings),
+      damping_(settings.damping),
       kernels_(kernels::kernels<R>(settings.instructions)),
       start_mm_(start),
       layout_(layout_for<R>(model, settings)),
@@ -146,7 +147,7 @@ void MovingValve<R>::step(double fixed_move_mm) {
   input.corner_slots = layout_.laid.corner_slots.data();
   input.spring_slots = layout_.laid.spring_slots.data();
   input.block_count = static_cast<int>(layout_.laid.blocks.size());
-  input.keep = static_cast<R>(share_kept(model_, settings_.damping));
+  input.keep = static_cast<R>(share_kept(model_, damping_));
   input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
   input.mass_share = static_cast<R>(settings_.mass_share);
   input.lookahead_mm = static_cast<R>(longest_move_mm_);

@@ -45,6 +45,9 @@ class MovingValve {
   /// Pulls each node that moves by itself towards a place, |N| x 3, in the next step: a spring, at most so hard.
   void draw(const Points& to_mm, double stiffness_n_per_mm, double largest_n);
 
+  /// From now on this damping, as the settings have it.
+  void damp(double damping) { damping_ = damping; }
+
   /// `fixed_move_mm`: how far fixed nodes have moved since the last step.
   void step(double fixed_move_mm);
 
@@ -76,6 +79,7 @@ class MovingValve {
 
   const ClosureModel& model_;
   const RelaxationSettings& settings_;
+  double damping_;
   const kernels::Kernels<R>& kernels_;
   const Points start_mm_;
   RelaxationLayout<R> layout_;

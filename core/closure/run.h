@@ -16,7 +16,7 @@ struct ClosureRun {
   double residual = 0.0;
   int steps = 0;
   int crossing_pairs = 0;  ///< of faces, that pass through each other at the end, unless diverged
-  std::vector<int> guarded_faces;  ///< Fast: where edge contact was taken up on the way
+  std::vector<int> guarded_faces;  ///< Fast: that began with edge contact, or took it up on the way
 };
 
 /// Whether a node has left the scene or is not a number any more.
