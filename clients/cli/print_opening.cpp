@@ -37,8 +37,7 @@ void print_opening(std::ostream& out, const Json& opening) {
         << " along the annulus's normal; annulus " << cm2(opening["annulus_area_mm2"])
         << " in diastole\n  mean gradient   "
         << gradient(opening["gradient_mmhg"], opening["flow_ml_s"]) << ", "
-        << gradient(opening["gradient_exercise_mmhg"], opening["flow_exercise_ml_s"])
-        << " (Gorlin)\n";
+        << gradient(opening["gradient_exercise_mmhg"], opening["flow_exercise_ml_s"]) << '\n';
   }
   for (const Json& warning : opening["warnings"])
     out << "  ! " << warning.get<std::string>() << '\n';

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -16,7 +17,8 @@ namespace coapt {
 namespace {
 
 constexpr double kKpaPerMmhg = 0.133322;
-constexpr double kGorlin = 37.7;  // ml/s, cm2, mmHg
+constexpr double kGorlin = 37.7;  // of a steady flow: ml/s, cm2, mmHg
+constexpr double kPulse = 0.25 * std::numbers::pi * kPeakOverMean;
 constexpr double kHumanFlow_ml_s = 155.0;
 constexpr double kHumanAnnulus_mm2 = 735.0;  // the smallest that a healthy adult's has in systole
 // Opening areas are within 0.03 cm2 of those at the tolerances of closures, in half of the steps.
@@ -38,9 +40,9 @@ void measure_opening(OpenedValve& opened) {
     measure.projected_area_mm2 = orifice_mm2(opened.valve, opened.closure.closed_mm);
   }
   measure.opening_area_mm2 = opened.leak.area_mm2;
-  measure.gradient_mmhg = gorlin_mmhg(measure.opening_area_mm2, measure.flow_ml_s);
+  measure.gradient_mmhg = mean_gradient_mmhg(measure.opening_area_mm2, measure.flow_ml_s);
   measure.gradient_exercise_mmhg =
-      gorlin_mmhg(measure.opening_area_mm2, measure.flow_exercise_ml_s);
+      mean_gradient_mmhg(measure.opening_area_mm2, measure.flow_exercise_ml_s);
 }
 
 /// Of the heart over a human's, at most 1.
@@ -88,8 +90,8 @@ ClosureResult rest_in_flow(double peak_ml_s, const OpeningOptions& options, Valv
 
 }  // namespace
 
-double gorlin_mmhg(double area_mm2, double flow_ml_s) {
-  return std::pow(flow_ml_s / (kGorlin * 0.01 * area_mm2), 2.0);
+double mean_gradient_mmhg(double area_mm2, double flow_ml_s) {
+  return kPulse * std::pow(flow_ml_s / (kGorlin * 0.01 * area_mm2), 2.0);
 }
 
 double filling_flow_ml_s(const Valve& valve) { return kHumanFlow_ml_s * size_of(valve); }

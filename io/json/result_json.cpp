@@ -112,8 +112,8 @@ Json joined(Json json, const Json& more) {
 
 const std::vector<std::string>& not_modelled() {
   static const std::vector<std::string> kSentences = {
-      "Blood flow: pressure is static, jets are not computed; the gradient in diastole is that of "
-      "a steady flow through the opening (Gorlin).",
+      "Blood flow: pressure is static, jets are not computed; the gradient in diastole is what "
+      "the pulse of filling needs through the opening (Bernoulli).",
       "Filling: relaxation and stiffness of the ventricle, and how its flow meets sutures.",
       "The ventricle: annulus and papillary tips do not move while the valve closes.",
       "Tissue that differs from place to place, calcification, clefts that are not in the valve "

@@ -101,7 +101,7 @@ Traded traded(const ParetoPlan& plan, double flow_ml_s) {
           true,
           static_cast<double>(plan.steps),
           plan.mean_mm2 + plan.sd_mm2,
-          gorlin_mmhg(plan.opening_mm2, flow_ml_s),
+          mean_gradient_mmhg(plan.opening_mm2, flow_ml_s),
           kFurthestCourse_mm - plan.durability_mm};
 }
 

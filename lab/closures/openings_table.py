@@ -4,7 +4,7 @@
   openings_table.py [OUTPUT] [--coapt build/release/bin/coapt]
 
 Rings of shape generic-classic, and none. Areas in cm2: `opening_cm2` of the least surface, `projected_cm2` as seen along the annulus's normal;
-gradients by Gorlin at rest and at exercise, of the opening.
+mean gradients at rest and at exercise, of the opening.
 """
 
 import argparse

@@ -60,8 +60,7 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
   }
   gradient.severity = mmhg > kStenosis_mmhg ? GateSeverity::Warn : GateSeverity::Pass;
   gradient.finding = "mean gradient of " + with_decimals(mmhg, 1) +
-                     " mmHg at rest (Gorlin): " + (mmhg > kStenosis_mmhg ? "more" : "no more") +
-                     " than 5";
+                     " mmHg at rest: " + (mmhg > kStenosis_mmhg ? "more" : "no more") + " than 5";
   return {area, gradient};
 }
 

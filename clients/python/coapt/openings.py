@@ -36,7 +36,7 @@ class Opening:
     annulus_area_mm2: float
     """Of the annulus in diastole."""
     gradient_mmhg: float | None
-    """Mean, at flow_ml_s, by Gorlin's equation."""
+    """Mean, at flow_ml_s, by Bernoulli's equation over the pulse of filling."""
     gradient_exercise_mmhg: float | None
     """The same at flow_exercise_ml_s."""
     flow_ml_s: float

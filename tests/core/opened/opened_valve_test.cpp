@@ -22,9 +22,16 @@ Valve ringed(const Valve& valve, double size_mm) {
   return *apply_plan(valve, {{Annuloplasty{CatalogueRing{"generic-classic", size_mm}}}});
 }
 
-TEST(Gorlin, GradientOfTwoSquareCentimetresIsWorkedOutByHand) {
-  EXPECT_NEAR(gorlin_mmhg(200.0, 150.8), 4.0, 1e-9);  // 150.8 = 37.7 * 2 * 2
-  EXPECT_TRUE(std::isinf(gorlin_mmhg(0.0, 155.0)));
+TEST(MeanGradient, OfTwoSquareCentimetresIsWorkedOutByHand) {
+  // 150.8 = 37.7 * 2 * 2; the pulse needs 2.28 times what its mean does.
+  EXPECT_NEAR(mean_gradient_mmhg(200.0, 150.8), 4.0 * 2.280, 0.001);
+  EXPECT_TRUE(std::isinf(mean_gradient_mmhg(0.0, 155.0)));
+}
+
+TEST(MeanGradient, BeforeAndAfterAClipIsThatOfPatients) {
+  // Herrmann 2009, EuroIntervention 4:437; the spread before is assumed.
+  EXPECT_NEAR(mean_gradient_mmhg(600.0, 155.0), 1.7, 0.9);
+  EXPECT_NEAR(mean_gradient_mmhg(360.0, 155.0), 4.1, 2.2);
 }
 
 TEST(OpenValve, AHealthyValveOpensAsWideAsMeasured) {

@@ -6,7 +6,7 @@ export const GLOSSARY = {
   opening:
     'The least area of a surface that parts atrium from ventricle between the open leaflets in diastole, with annulus and papillary tips as far apart as diastole has them. The leaflets rest under the load that blood has at the peak of filling; its flow itself is not computed.',
   gradient:
-    'The mean pressure difference that the flow of filling would need through the opening, by Gorlin’s equation.',
+    'The mean pressure difference that the pulse of filling would need through the opening, by Bernoulli’s equation.',
   coaptation:
     'How high the contact between the leaflets is, across the line of coaptation. About 8 mm is the aim of a repair.',
   tenting_height: 'From the plane of the annulus down to where the leaflets meet.',
