@@ -51,7 +51,7 @@ void set_heights(double anterior, double posterior, ParametricValve& d) {
 /// A tenth longer, posterior marginal ones 15 % more.
 ChordalSlack long_chordae() {
   const double slack = 1.1 * kPresetSlack;
-  return {slack, 1.15 * slack, slack, slack};
+  return {slack, 1.15 * slack, 1.15 * slack, slack, slack};
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ ParametricValve porcine_thesis_tables() {
   d.tip_depth_mm = 28;
   d.tip_spread_mm = 32;
   d.tip_posterior_mm = 8;
-  d.slack = {0.92, 1.007492, 0.9913, 0.8737516};
+  d.slack = {0.92, 1.007492, 1.007492, 0.9913, 0.8737516};
   d.asymmetry.tip_mm = Vec3(1.5348, 0.31016, -3.3425);
   d.asymmetry.leaflet_height = -0.11416;
   d.asymmetry.slack = -0.0098454;
@@ -56,7 +56,7 @@ ParametricValve porcine_thesis() {
   d.tip_depth_mm = 28;
   d.tip_spread_mm = 32;
   d.tip_posterior_mm = 5.8258;
-  d.slack = {1.027, 0.95615754, 0.94484, 1.0121085};
+  d.slack = {1.027, 0.95615754, 0.95615754, 0.94484, 1.0121085};
   d.asymmetry.tip_mm = Vec3(0.78621, 1.4361, -0.49848);
   d.asymmetry.leaflet_height = -0.045865;
   d.asymmetry.slack = -0.030205;

@@ -22,7 +22,8 @@ double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chor
   if (chorda.kind == ChordaKind::Strut) return d.slack.strut * side;
   if (chorda.kind == ChordaKind::Basal) return d.slack.basal * side;
   const std::optional<Segment> held = held_by(valve, chorda);
-  const bool anterior = held && leaflet_of(*held) == Leaflet::Anterior;
+  if (!held) return d.slack.commissural * side;
+  const bool anterior = leaflet_of(*held) == Leaflet::Anterior;
   return (anterior ? d.slack.anterior : d.slack.posterior) * side;
 }
 
@@ -33,12 +34,13 @@ std::string lengths_in_words(const ParametricValve& d) {
   };
   std::string words = "chordae lengths: distances in the closed, pressurised valve times ";
   const ChordalSlack& slack = d.slack;
-  if (slack.posterior == slack.anterior && slack.strut == slack.anterior &&
-      slack.basal == slack.anterior)
+  if (slack.posterior == slack.anterior && slack.commissural == slack.anterior &&
+      slack.strut == slack.anterior && slack.basal == slack.anterior)
     return words + both_sides(slack.anterior);
   return words + "(anterolateral / posteromedial) anterior " + both_sides(slack.anterior) +
-         ", posterior " + both_sides(slack.posterior) + ", strut " + both_sides(slack.strut) +
-         ", basal " + both_sides(slack.basal);
+         ", posterior " + both_sides(slack.posterior) + ", commissural " +
+         both_sides(slack.commissural) + ", strut " + both_sides(slack.strut) + ", basal " +
+         both_sides(slack.basal);
 }
 
 }  // namespace

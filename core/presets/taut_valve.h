@@ -11,7 +11,7 @@ namespace coapt {
 /// the mid-valve section of presets tents by 6 to 8 mm.
 inline constexpr double kPresetSlack = 1.15;
 inline constexpr ChordalSlack kPresetSlacks = {kPresetSlack, kPresetSlack, kPresetSlack,
-                                               kPresetSlack};
+                                               kPresetSlack, kPresetSlack};
 
 /// The valve with chordae as long as they are in its closed state, closed more tightly than usual. Error: it does not close
 /// uncrossed, or not within the budget. @pre the valve is valid.

@@ -113,6 +113,9 @@ const std::vector<Dimension>& dimension_table() {
           "Heights at the commissures, share that is added medially and taken away laterally", "",
           {-0.4, 0.4}),
       number<&P::cleft_depth_mm>("cleft_depth_mm", "Between posterior scallops", " mm", {0, 10}),
+      number<&P::posterior_fold_mm>(
+          "posterior_fold_mm", "Folds between posterior scallops, at the free edge", " mm", {0, 6}),
+      number<&P::anterior_fold_mm>("anterior_fold_mm", "Likewise, beside A2", " mm", {0, 6}),
       number<&P::anterior_inclination_deg>("anterior_inclination_deg",
                                            "Anterior leaflet inwards from the vertical", " degrees",
                                            kInclination),
@@ -134,6 +137,10 @@ const std::vector<Dimension>& dimension_table() {
                                       "", kSlack),
       number<&P::slack, &S::posterior>("posterior_slack", "Likewise, posterior marginal", "",
                                        kSlack),
+      number<&P::slack, &S::commissural>(
+          "commissural_slack",
+          "Likewise, marginal at a commissure; loose ones let commissures fold in several ways", "",
+          kSlack),
       number<&P::slack, &S::strut>("strut_slack", "Likewise, strut", "", kSlack),
       number<&P::slack, &S::basal>("basal_slack", "Likewise, basal", "", kSlack),
       number<&P::asymmetry, &A::slack>(

@@ -125,6 +125,28 @@ std::vector<Station> place_stations(const ArcLength& arc, const ParametricValve&
   return stations;
 }
 
+constexpr double kFoldHalf_mm = 1.9, kFoldDepth = 0.67;  // to either side; share of the height
+
+/// How high the folds stand at the free edge by each station, inwards: a triangle along the annulus about the borders of scallops,
+/// two stations wide at least.
+std::vector<double> folds_mm(const ParametricValve& d, const std::vector<Station>& stations,
+                             double total_mm) {
+  const double half = std::max(kFoldHalf_mm, total_mm / static_cast<double>(stations.size()));
+  std::vector<double> folds(stations.size(), 0.0);
+  for (const auto& [around, height] :
+       {std::pair{1.0 / 6.0, d.anterior_fold_mm}, std::pair{1.0 / 3.0, d.anterior_fold_mm},
+        std::pair{2.0 / 3.0, -d.posterior_fold_mm}, std::pair{5.0 / 6.0, -d.posterior_fold_mm}}) {
+    std::size_t after = 1;
+    while (after + 1 < stations.size() && stations[after].around < around) ++after;
+    const Station &a = stations[after - 1], &b = stations[after];
+    const double border =
+        a.arc_mm + (around - a.around) / (b.around - a.around) * (b.arc_mm - a.arc_mm);
+    for (std::size_t i = 0; i < stations.size(); ++i)
+      folds[i] += height * std::max(0.0, 1.0 - std::abs(stations[i].arc_mm - border) / half);
+  }
+  return folds;
+}
+
 /// "440 measured points of annulus.csv"
 std::string measured(const Points& points_mm, const std::string& source) {
   return std::to_string(points_mm.rows()) + " measured points" +
@@ -212,6 +234,7 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
   if (d.pressure_mmhg) valve.pressure_kpa = *d.pressure_mmhg / kMmhgPerKpa;
   valve.provenance = provenance(d, heights, saddle_added);
   const int n = grid.stations;
+  const std::vector<double> folds = folds_mm(d, stations, arc.total_mm());
   valve.rest_mm.resize(n * (grid.rows + 1), 3);
   for (int row = 0; row <= grid.rows; ++row)
     for (int i = 0; i < n; ++i) {
@@ -221,8 +244,11 @@ Expected<Valve> make_parametric_valve(const ParametricValve& d) {
       const double share = static_cast<double>(row) / grid.rows;
       const double tilt = inclination_rad(d, s.around);
       const Vec3 down = std::sin(tilt) * inwards - std::cos(tilt) * Vec3::UnitZ();
+      const Vec3 across = std::cos(tilt) * inwards + std::sin(tilt) * Vec3::UnitZ();
+      const double fold = folds[static_cast<std::size_t>(i)] *
+                          std::max(0.0, (share - 1.0 + kFoldDepth) / kFoldDepth);
       valve.rest_mm.row(row * n + i) =
-          arc.at(s.arc_mm) + share * leaflet_height_mm(d, heights, s.around) * down;
+          arc.at(s.arc_mm) + share * leaflet_height_mm(d, heights, s.around) * down + fold * across;
     }
   valve.faces.resize(2 * n * grid.rows, 3);
   valve.fibre.resize(valve.faces.rows(), 3);

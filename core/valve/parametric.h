@@ -23,10 +23,10 @@ struct Asymmetry {
   double slack = 0.0;           ///< of the chordae
 };
 
-/// Lengths of chordae over their lengths in the closed, pressurised valve. Commissural ones (held_by() in ruptures.h: of neither
-/// leaflet alone) have the posterior slack.
+/// Lengths of chordae over their lengths in the closed, pressurised valve.
 struct ChordalSlack {
-  double anterior = 1.0, posterior = 1.0;  ///< marginal
+  double anterior = 1.0, posterior = 1.0,
+         commissural = 1.0;  ///< marginal, by held_by() in ruptures.h
   double strut = 1.0;
   double basal = 1.0;
 
@@ -46,7 +46,10 @@ struct ParametricValve {
   std::optional<double> lateral_height_mm;    ///< P1, P3
   std::optional<double> commissure_height_mm;
   double cleft_depth_mm = 0.5;  ///< between the posterior scallops
-  double anterior_arc = 0.38;   ///< share of the annulus from commissure to commissure
+  /// Height at the free edge of folds where P1 and P3 meet P2, outwards, and where A1 and A3 meet A2, inwards: tissue that unfolds
+  /// in diastole, as clefts do. No source gives sizes.
+  double posterior_fold_mm = 0.0, anterior_fold_mm = 0.0;
+  double anterior_arc = 0.38;  ///< share of the annulus from commissure to commissure
   /// Of the unpressurised leaflets, inwards from the vertical; each of its own leaflet, blended at the commissures.
   double anterior_inclination_deg = 20.0, posterior_inclination_deg = 20.0;
   double tip_depth_mm = 23.5;     ///< papillary tips below the annulus plane

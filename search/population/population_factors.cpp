@@ -122,7 +122,8 @@ HumanValve healthy_valve(const AnatomyValues& anatomy) {
   d.tip_spread_mm = anatomy[TipSpread];
   d.tip_posterior_mm = anatomy[TipPosterior];
   const double slack = anatomy[Slack];
-  d.slack = {slack, slack * anatomy[PosteriorSlack], slack, slack};
+  const double posterior = slack * anatomy[PosteriorSlack];
+  d.slack = {slack, posterior, posterior, slack, slack};
   d.asymmetry.tip_mm = Vec3(anatomy[TipAsymmetryTransverse], anatomy[TipAsymmetryPosterior],
                             anatomy[TipAsymmetryApical]);
   d.asymmetry.leaflet_height = anatomy[HeightAsymmetry];
@@ -151,8 +152,8 @@ HumanValve diseased_valve(Aetiology aetiology, const AnatomyValues& anatomy,
                                         &d.lateral_height_mm, &d.commissure_height_mm})
     **height *= lesions[LeafletGrowth];
   const double slack = anatomy[Slack] * lesions[ChordaeGrowth];
-  d.slack = {slack, slack * (anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]), slack,
-             slack};
+  const double posterior = slack * (anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]);
+  d.slack = {slack, posterior, posterior, slack, slack};
   d.tissue.thickness_mm *= lesions[ThicknessGrowth];
   Remodelling& change = human.change.emplace();
   change.elongated = {{Segment::P2, 100.0 * (lesions[P2Slack] - 1.0)}};

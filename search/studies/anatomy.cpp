@@ -68,7 +68,7 @@ ParametricValve parametric_valve(const Anatomy& anatomy, const std::string& name
   d.tip_spread_mm = *next++;
   d.tip_posterior_mm = *next++;
   const double slack = *next++;
-  d.slack = {slack, slack * next[0], slack * next[1], slack * next[2]};
+  d.slack = {slack, slack * next[0], slack * next[0], slack * next[1], slack * next[2]};
   next += 3;
   for (int axis = 0; axis < 3; ++axis) d.asymmetry.tip_mm(axis) = *next++;
   d.asymmetry.leaflet_height = *next++;

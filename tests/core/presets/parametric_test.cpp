@@ -107,6 +107,37 @@ TEST(ParametricValve, InclinesEachLeafletByItsOwnAngleAndOutwardsIfNegative) {
   EXPECT_NEAR(inwards_deg(valve.landmarks.mid_posterior, 1.0), -15.0, 1e-6);
 }
 
+TEST(ParametricValve, FoldsTheFreeEdgeWhereScallopsMeet) {
+  for (const int triangles : {650, 2600}) {
+    ParametricValve d;
+    d.triangles = triangles;
+    const Valve flat = *make_parametric_valve(d);
+    d.posterior_fold_mm = 5.0;
+    d.anterior_fold_mm = 4.0;
+    const Valve folded = *make_parametric_valve(d);
+    const auto stations = static_cast<Index>(flat.annulus.size());
+    const Index rows = flat.rest_mm.rows() / stations;
+    const Points moved = folded.rest_mm - flat.rest_mm;
+    EXPECT_EQ(moved.topRows(stations * (rows / 3)).norm(), 0.0);
+    double edge_mm = 0.0;
+    const Index first = stations * (rows - 1);
+    for (Index i = 0; i < stations; ++i) {
+      const Index next = first + (i + 1) % stations;
+      edge_mm += (folded.rest_mm.row(next) - folded.rest_mm.row(first + i)).norm() -
+                 (flat.rest_mm.row(next) - flat.rest_mm.row(first + i)).norm();
+    }
+    // Each flank adds less than its height.
+    EXPECT_GT(edge_mm, 12.0) << triangles;
+    EXPECT_LT(edge_mm, 2 * (2 * 5.0 + 2 * 4.0)) << triangles;
+    for (Index i = 0; i < stations; ++i) {
+      const Vec3 by = moved.row(first + i);
+      const Vec3 inwards = -Vec3(flat.rest_mm(i, 0), flat.rest_mm(i, 1), 0.0);
+      if (by.norm() == 0.0) continue;
+      EXPECT_EQ(by.dot(inwards) > 0.0, flat.rest_mm(i, 1) > 0.0) << "inwards in front alone";
+    }
+  }
+}
+
 TEST(ParametricValve, NamesItsChordaeAlikeAtEveryResolution) {
   const auto ids = [](int triangles) {
     ParametricValve d;

@@ -15,7 +15,7 @@ CalibrationProblem taut_struts() {
   problem.unknowns = {{.low = 0.85, .high = 1.2, .start = 1.15}};
   problem.valves_at = [](const std::vector<double>& values) -> Expected<CalibrationValves> {
     CalibrationValves valves;
-    valves.dimensions.slack = {1.15, 1.15, values[0], 1.15};
+    valves.dimensions.slack = {1.15, 1.15, 1.15, values[0], 1.15};
     valves.valves = {{.name = "healthy"}};
     return valves;
   };
