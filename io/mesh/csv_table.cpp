@@ -63,19 +63,23 @@ bool has_all(const std::vector<std::string>& names, std::string_view letters) {
 }
 
 /// Of a line that has one of `columns`, whatever is between its fields; else none. Where x is looked for, Slicer's r, a, s and
-/// l, p, s will do.
-std::vector<std::string> names_in(std::string_view line,
+/// l, p, s will do; a comment has all three axes, and words after two blanks are not of its names.
+std::vector<std::string> names_in(std::string_view line, bool comment,
                                   std::initializer_list<std::string_view> columns) {
   constexpr std::string_view kSlicersColumns = "columns =";
   if (line.starts_with(kSlicersColumns)) line = trimmed(line.substr(kSlicersColumns.size()));
+  if (comment && separator_of(line) != ' ') line = line.substr(0, line.find("  "));
   std::vector<std::string> names;
   for (const std::string_view field : split(line, separator_of(line)))
     names.push_back(plain_name(field));
   const bool points = std::find(columns.begin(), columns.end(), "x") != columns.end();
-  if (std::find_first_of(names.begin(), names.end(), columns.begin(), columns.end()) ==
-          names.end() &&
-      !(points && (has_all(names, "ras") || has_all(names, "lps"))))
-    names.clear();
+  const bool has_one = std::any_of(columns.begin(), columns.end(), [&](std::string_view column) {
+    return !(comment && column == "x") &&
+           std::find(names.begin(), names.end(), column) != names.end();
+  });
+  const bool has_axes =
+      points && (has_all(names, "ras") || has_all(names, "lps") || has_all(names, "xyz"));
+  if (!has_one && !has_axes) names.clear();
   return names;
 }
 
@@ -125,7 +129,7 @@ Expected<CsvTable> read_csv(std::string_view text,
     const std::string_view content = without_mark(trimmed(line->text), comment);
     if (content.empty()) continue;
     if (table.rows.empty()) {
-      if (auto names = names_in(content, columns); !names.empty()) {
+      if (auto names = names_in(content, comment, columns); !names.empty()) {
         table.names = std::move(names);
         continue;
       }

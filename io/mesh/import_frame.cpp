@@ -238,10 +238,10 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source, bo
                    "the valve"};
     const double hanging_mm = -z.dot(centroid(joined(source.leaflets)) - origin);
     if (!closed && hanging_mm < -kLeastHanging_mm)
-      frame.atrium = {"atrium", "on the side that the papillary tips are not",
-                      "the leaflets hang " + significant(-hanging_mm, 2) +
-                          " mm to the other side in the mean",
-                      true, 0.6};
+      frame.atrium = {
+          "atrium", "on the side that the papillary tips are not",
+          "the leaflets hang " + significant(-hanging_mm, 2) + " mm to the other side in the mean",
+          true, 0.6};
   }
   frame.axes << x.normalized(), z.cross(x.normalized()), z;
   return frame;

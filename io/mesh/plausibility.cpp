@@ -21,8 +21,8 @@ constexpr double kFarRms_mm = 1.0, kFarMax_mm = 5.0;
 constexpr double kBeside_mm = 2.0;        // of sheets from the contour, in the mean
 constexpr Range kAreaRatio = {0.8, 3.0};  // leaflets over annulus; 1.3 is normal
 constexpr Range kAnteriorMm = {10.0, 45.0}, kPosteriorMm = {5.0, 35.0};  // heights at A2 and P2
-constexpr Range kDiameterRatio = {0.45, 1.2};  // anteroposterior over transverse
-constexpr Range kUsualTipDepthMm = {8.0, 60.0};     // 23.5 +- 3.8 from the annulus
+constexpr Range kDiameterRatio = {0.45, 1.2};    // anteroposterior over transverse
+constexpr Range kUsualTipDepthMm = {8.0, 60.0};  // 23.5 +- 3.8 from the annulus
 
 bool is_in(double value, const Range& range) { return value >= range.min && value <= range.max; }
 

@@ -5,7 +5,10 @@ import unittest
 
 from programs import BAD_INPUT, FAILURE, ProgramTest, coapt
 
-PLAN = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "generic-classic", "size_mm": 32}]}
+PLAN = {
+    "schema": "coapt.plan/1",
+    "steps": [{"step": "annuloplasty", "shape": "generic-classic", "size_mm": 32}],
+}
 STARTS = {
     "glb": b"glTF",
     "vtk": b"# vtk DataFile Version 4.2\n",
@@ -21,7 +24,11 @@ STARTS = {
 class Export(ProgramTest):
     def test_the_end_of_a_name_says_the_format_and_several_are_written_at_once(self):
         files = {format: self.folder / f"valve.{format}" for format in STARTS}
-        self.run_ok("export", "human-normal", *(part for file in files.values() for part in ("-o", file)))
+        self.run_ok(
+            "export",
+            "human-normal",
+            *(part for file in files.values() for part in ("-o", file)),
+        )
         for format, start in STARTS.items():
             self.assertTrue(files[format].read_bytes().startswith(start), format)
 
@@ -43,7 +50,10 @@ class Export(ProgramTest):
     def test_ties_that_a_file_cannot_hold_are_said_not_to_be_kept(self):
         clip = {"step": "edge_to_edge", "device": "clip", "along": 0.5, "width_mm": 6}
         plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [clip]})
-        outputs = [f"{self.folder}/model/", *(f"{self.folder}/valve.{name}" for name in ("stl", "glb", "feb"))]
+        outputs = [
+            f"{self.folder}/model/",
+            *(f"{self.folder}/valve.{name}" for name in ("stl", "glb", "feb")),
+        ]
         files = [part for output in outputs for part in ("-o", output)]
         said = self.run_ok("export", "human-normal", "--plan", plan, *files).stderr.splitlines()
         self.assertEqual(
@@ -56,7 +66,13 @@ class Export(ProgramTest):
         self.assertEqual(self.run_ok("export", "human-normal", "-o", outputs[1]).stderr, "")
 
     def test_a_wrong_plan_is_named_with_its_pointer(self):
-        plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "no"}]})
+        plan = self.write(
+            "plan.json",
+            {
+                "schema": "coapt.plan/1",
+                "steps": [{"step": "annuloplasty", "shape": "no"}],
+            },
+        )
         result = coapt("export", "human-normal", "--plan", plan, "-o", self.folder / "valve.glb")
         self.assertEqual(result.returncode, BAD_INPUT)
         self.assertIn("plan.json: /steps/0", result.stderr)
@@ -69,7 +85,16 @@ class Export(ProgramTest):
     def test_a_valve_goes_out_and_in_and_closes_alike(self):
         again = self.folder / "again.json"
         self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/model/")
-        self.run_ok("valve", "import", "--slicerheart", self.folder / "model", "--name", "again", "-o", again)
+        self.run_ok(
+            "valve",
+            "import",
+            "--slicerheart",
+            self.folder / "model",
+            "--name",
+            "again",
+            "-o",
+            again,
+        )
         self.run_ok("valve", "check", again)
         before, after = (json.loads(self.run_ok("close", valve, "--json").stdout) for valve in ("human-normal", again))
         self.assertEqual(after["status"], "converged")
@@ -106,14 +131,30 @@ class Export(ProgramTest):
         self.assertNotEqual(drawn[0]["chordae"], drawn[2]["chordae"])
         self.assertEqual(drawn[2]["drawn_chordae"], {"seed": 2, "tips_given": True})
         told = json.loads(
-            self.run_ok(*folder, "--chordae", "synthesise", "--json", "-o", self.folder / "v.json").stdout
+            self.run_ok(
+                *folder,
+                "--chordae",
+                "synthesise",
+                "--json",
+                "-o",
+                self.folder / "v.json",
+            ).stdout
         )
         self.assertEqual(told["schema"], "coapt.import/2")
-        self.assertEqual([decision["subject"] for decision in told["decisions"]][:4], ["units", "frame", "leaflets", "state"])
+        self.assertEqual(
+            [decision["subject"] for decision in told["decisions"]][:4],
+            ["units", "frame", "leaflets", "state"],
+        )
         self.assertEqual(json.loads((self.folder / "v.json").read_text()), drawn[0])
-        self.assertEqual(coapt(*folder, "--chordae", "synthesise", "--json", "-o", "-").returncode, BAD_INPUT)
+        self.assertEqual(
+            coapt(*folder, "--chordae", "synthesise", "--json", "-o", "-").returncode,
+            BAD_INPUT,
+        )
         valve = self.write("drawn.json", json.dumps(drawn[0]))
-        self.assertEqual(json.loads(self.run_ok("close", valve, "--json").stdout)["status"], "converged")
+        self.assertEqual(
+            json.loads(self.run_ok("close", valve, "--json").stdout)["status"],
+            "converged",
+        )
         for options in (["--chordae", "chordae.csv"], ["--tips", "tips.csv"]):
             self.assertEqual(coapt(*folder, *options, "-o", "-").returncode, BAD_INPUT)
 

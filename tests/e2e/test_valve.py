@@ -161,7 +161,11 @@ class Make(ProgramTest):
         kaiser = SOURCE / "examples/valves/source/kaiser"
         # The tips of the second lie 20 mm behind the centre: leaflets of human proportions leave 16 mm2 open, and
         # lateral ones of 20 mm have two closed states, 14 mm2 apart.
-        slack = [word for group in ("anterior", "posterior", "strut", "basal") for word in (f"--{group}-slack", "0.9")]
+        slack = [
+            word
+            for group in ("anterior", "posterior", "commissural", "strut", "basal")
+            for word in (f"--{group}-slack", "0.9")
+        ]
         taller = (*slack, "--lateral-height-mm", "24", "--commissure-height-mm", "10")
         for ring, tips, more in [
             ("normal_1_annulus", "normal_1_papillary", ()),

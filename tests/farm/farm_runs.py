@@ -71,7 +71,7 @@ class FarmTest(unittest.TestCase):
         process.kill()
         process.communicate()
 
-    def run_farm(self, *arguments, stdin=b"", timeout=60, **options):
+    def run_farm(self, *arguments, stdin=b"", timeout=300, **options):
         process = self.start(*arguments, stdin=subprocess.PIPE, **options)
         out, err = process.communicate(stdin, timeout=timeout)
         return subprocess.CompletedProcess(arguments, process.returncode, out, err.decode())
@@ -98,7 +98,7 @@ class FarmTest(unittest.TestCase):
         process.stdin = None
         return process
 
-    def collect(self, coordinator, request, timeout=60):
+    def collect(self, coordinator, request, timeout=300):
         out, err = coordinator.communicate(timeout=timeout)
         self.assertEqual(coordinator.returncode, OK, err.decode())
         self.assertEqual(out, request.answers())
@@ -109,7 +109,9 @@ class FarmTest(unittest.TestCase):
 
     def new_login(self, name, *roles):
         """Its address of the farm."""
-        self.sql(f"DROP ROLE IF EXISTS {name}; CREATE ROLE {name} LOGIN PASSWORD 'pw-{name}' IN ROLE {', '.join(roles)}")
+        self.sql(
+            f"DROP ROLE IF EXISTS {name}; CREATE ROLE {name} LOGIN PASSWORD 'pw-{name}' IN ROLE {', '.join(roles)}"
+        )
         return self.postgres.url(self.name, name, f"pw-{name}")
 
     def number(self, text):

@@ -28,7 +28,10 @@ class Tokens(ClientTest):
             error = self.refused(coapt.AccessDenied, coapt.Client(self.url, token).presets)
             self.assertEqual(error.status, 401)
         self.assertIn(VALVE, coapt.Client(self.url, TOKEN).presets())
-        self.assertEqual(list(coapt.Client(self.url, TOKEN).search(VALVE, **SMALL).events())[-1].state, "SUCCEEDED")
+        self.assertEqual(
+            list(coapt.Client(self.url, TOKEN).search(VALVE, **SMALL).events())[-1].state,
+            "SUCCEEDED",
+        )
 
     def test_a_token_is_not_shown(self):
         self.assertNotIn(TOKEN, repr(coapt.Client(self.url, TOKEN)._transport))
@@ -102,7 +105,13 @@ class Broken(ClientTest):
     def test_a_key_of_ones_own_finds_the_job_again(self):
         first = self.client.search(VALVE, **SMALL, idempotency_key="mine")
         self.assertEqual(self.client.search(VALVE, **SMALL, idempotency_key="mine").id, first.id)
-        self.refused(coapt.InvalidRequest, self.client.search, VALVE, **ENDLESS, idempotency_key="mine")
+        self.refused(
+            coapt.InvalidRequest,
+            self.client.search,
+            VALVE,
+            **ENDLESS,
+            idempotency_key="mine",
+        )
         self.assertNotEqual(self.client.search(VALVE, **SMALL).id, first.id)
 
     def test_events_go_on_over_streams_that_break_off(self):
@@ -167,10 +176,16 @@ class Words(unittest.TestCase):
     def test_nothing_listens(self):
         with socket.create_server(("127.0.0.1", 0)) as listener:
             url = f"http://127.0.0.1:{listener.getsockname()[1]}"
-        self.assertEqual(self.said(url), f"nothing listens at {url}: connection refused; is coapt-server running?")
+        self.assertEqual(
+            self.said(url),
+            f"nothing listens at {url}: connection refused; is coapt-server running?",
+        )
 
     def test_there_is_no_such_machine(self):
-        self.assertIn("there is no machine called nowhere.invalid", self.said("http://nowhere.invalid"))
+        self.assertIn(
+            "there is no machine called nowhere.invalid",
+            self.said("http://nowhere.invalid"),
+        )
 
     def test_no_answer_in_time(self):
         url = f"http://{self.answering(None)}"
@@ -178,10 +193,16 @@ class Words(unittest.TestCase):
 
     def test_the_connection_breaks_off(self):
         for answer in (b"", b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\n{"):
-            self.assertIn(" broke the connection off: ", self.said(f"http://{self.answering(answer)}"))
+            self.assertIn(
+                " broke the connection off: ",
+                self.said(f"http://{self.answering(answer)}"),
+            )
 
     def test_no_https_is_spoken(self):
-        self.assertIn(" does not speak https: ", self.said(f"https://{self.answering(b'HTTP/1.1 400 Bad request')}"))
+        self.assertIn(
+            " does not speak https: ",
+            self.said(f"https://{self.answering(b'HTTP/1.1 400 Bad request')}"),
+        )
 
 
 class Addresses(unittest.TestCase):
@@ -191,7 +212,12 @@ class Addresses(unittest.TestCase):
                 coapt.Client(url, TOKEN)
             coapt.Client(url, TOKEN, plain_http=True)
             coapt.Client(url)
-        for url in ("https://plans.invalid", "http://localhost:8080", "http://127.0.0.1", "http://[::1]:8080"):
+        for url in (
+            "https://plans.invalid",
+            "http://localhost:8080",
+            "http://127.0.0.1",
+            "http://[::1]:8080",
+        ):
             coapt.Client(url, TOKEN)
 
     def test_an_address_that_is_none_is_refused_at_once(self):
@@ -219,7 +245,9 @@ class Hostile(unittest.TestCase):
     def test_an_answer_has_a_limit(self):
         body = b" " * 2000
         client = self.served(b"HTTP/1.1 200 OK\r\nContent-Length: 2000\r\n\r\n" + body)
-        with unittest.mock.patch("coapt.http_transport._MOST_BYTES", 1000), self.assertRaises(coapt.Unreachable) as raised:
+        with unittest.mock.patch("coapt.http_transport._MOST_BYTES", 1000), self.assertRaises(
+            coapt.Unreachable
+        ) as raised:
             client.presets()
         self.assertIn("answers with more than", str(raised.exception))
 

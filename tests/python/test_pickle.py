@@ -58,7 +58,10 @@ class Errors(unittest.TestCase):
             for again in (pickled, copy.deepcopy, copy.copy):
                 error, read = make(), again(make())
                 self.assertIs(type(read), kind)
-                self.assertEqual((str(read), read.args, vars(read)), (str(error), error.args, vars(error)))
+                self.assertEqual(
+                    (str(read), read.args, vars(read)),
+                    (str(error), error.args, vars(error)),
+                )
 
     def test_a_client_that_was_pickled_has_no_token_in_it(self):
         client = coapt.Client("http://127.0.0.1:1", token="open-sesame")
@@ -80,11 +83,40 @@ class Objects(EngineTest):
         kept = engine.keep_plan(VALVE, Plan(OwnRing(2)), "mine")
         items = engine.close_many([VALVE, "no-such-valve"], [Plan()])
         events = list(job.events())
-        made = [engine, valve, closure, closure.measure, closure.measure.leak, closure.measure.coaptation, *items]
-        made += [*closure.measure.leak.openings, *closure.measure.coaptation.sections, valve.open(), valve.picture()]
-        made += [job, found, found.before, *found.plans, *events, job.progress, stored, kept, *engine.rings()]
+        made = [
+            engine,
+            valve,
+            closure,
+            closure.measure,
+            closure.measure.leak,
+            closure.measure.coaptation,
+            *items,
+        ]
+        made += [
+            *closure.measure.leak.openings,
+            *closure.measure.coaptation.sections,
+            valve.open(),
+            valve.picture(),
+        ]
+        made += [
+            job,
+            found,
+            found.before,
+            *found.plans,
+            *events,
+            job.progress,
+            stored,
+            kept,
+            *engine.rings(),
+        ]
         made += [plan for one in found.plans for plan in (one.plan, one.leak_mm2, one.leak_maps, one.remodelling)]
-        made += [closure.leaflets(), valve.compare(closure), engine.map([VALVE]), valve.evaluate([Plan()], 2), *PROBLEMS]
+        made += [
+            closure.leaflets(),
+            valve.compare(closure),
+            engine.map([VALVE]),
+            valve.evaluate([Plan()], 2),
+            *PROBLEMS,
+        ]
         made += [coapt.Client("http://127.0.0.1:1")]
         made += [event.progress.best for event in events if event.progress and event.progress.best]
         return {type(one): one for one in made}
@@ -101,7 +133,10 @@ class Objects(EngineTest):
         for name in not_made:
             kind = getattr(coapt, name)
             if kind is not coapt.Service:
-                self.assertTrue(dataclasses.is_dataclass(kind) or issubclass(kind, (tuple, coapt.Plan)), name)
+                self.assertTrue(
+                    dataclasses.is_dataclass(kind) or issubclass(kind, (tuple, coapt.Plan)),
+                    name,
+                )
 
     def test_what_was_pickled_says_the_same(self):
         valve = self.client.preset(VALVE)
@@ -134,7 +169,10 @@ class Objects(EngineTest):
             for threads in (-1, 1025, 1.5, True, "2"):
                 with self.assertRaises(coapt.InvalidRequest) as raised:
                     call(threads)
-                self.assertEqual([problem.path for problem in raised.exception.problems], ["/threads"])
+                self.assertEqual(
+                    [problem.path for problem in raised.exception.problems],
+                    ["/threads"],
+                )
             call(0)
             call(2)
 
@@ -144,7 +182,10 @@ class Processes(EngineTest):
     def setUp(self):
         super().setUp()
         # Children read this file anew, and where the programs are with it.
-        for name, program in (("COAPT", programs.COAPT), ("COAPT_SERVER", programs.SERVER)):
+        for name, program in (
+            ("COAPT", programs.COAPT),
+            ("COAPT_SERVER", programs.SERVER),
+        ):
             os.environ[name] = program
             self.addCleanup(os.environ.pop, name)
 
@@ -163,7 +204,10 @@ class Processes(EngineTest):
         valve = self.client.preset(VALVE)
         wider = valve.with_arrays(annulus_mm=valve.annulus_mm * 1.02)
         with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
-            self.assertEqual(pool.submit(leak_of_valve, wider, None).result(60), wider.close().measure.leak_mm2)
+            self.assertEqual(
+                pool.submit(leak_of_valve, wider, None).result(60),
+                wider.close().measure.leak_mm2,
+            )
             sent = pool.submit(coapt.LocalValve.close, valve).result(60)
         self.assertEqual(sent.measure, valve.close().measure)
 

@@ -26,7 +26,11 @@ def checked_threads(threads: Any) -> int:
     """
     if isinstance(threads, int) and not isinstance(threads, bool) and 0 <= threads <= MOST_THREADS:
         return threads
-    problem = Problem("out_of_range", "/threads", f"is {threads!r}, must be an integer from 0 (all cores) to {MOST_THREADS:,}")
+    problem = Problem(
+        "out_of_range",
+        "/threads",
+        f"is {threads!r}, must be an integer from 0 (all cores) to {MOST_THREADS:,}",
+    )
     raise InvalidRequest(422, "number of threads out of range", [problem])
 
 
@@ -41,7 +45,11 @@ class Asking:
         return [preset["name"] for preset in self._get("/v1/presets")["presets"]]
 
     def _ask(
-        self, path: str, valve: Valve, request: Mapping[str, Any], headers: Mapping[str, str] | None = None
+        self,
+        path: str,
+        valve: Valve,
+        request: Mapping[str, Any],
+        headers: Mapping[str, str] | None = None,
     ) -> Answer:
         """The answer to a request about a valve."""
         source = self._request_source(valve)
