@@ -45,6 +45,11 @@ enum Lesional {
   PosteromedialTip = 13  // three
 };
 
+/// `posterior`: of posterior and commissural chordae over the others'.
+ChordalSlack slack_with(double slack, double posterior) {
+  return {slack, slack * posterior, slack * posterior, slack, slack};
+}
+
 }  // namespace
 
 const std::array<PopulationFactor, kAnatomyFactors>& anatomy_factors() {
@@ -121,9 +126,7 @@ HumanValve healthy_valve(const AnatomyValues& anatomy) {
   d.tip_depth_mm = anatomy[TipDepth];
   d.tip_spread_mm = anatomy[TipSpread];
   d.tip_posterior_mm = anatomy[TipPosterior];
-  const double slack = anatomy[Slack];
-  const double posterior = slack * anatomy[PosteriorSlack];
-  d.slack = {slack, posterior, posterior, slack, slack};
+  d.slack = slack_with(anatomy[Slack], anatomy[PosteriorSlack]);
   d.asymmetry.tip_mm = Vec3(anatomy[TipAsymmetryTransverse], anatomy[TipAsymmetryPosterior],
                             anatomy[TipAsymmetryApical]);
   d.asymmetry.leaflet_height = anatomy[HeightAsymmetry];
@@ -151,9 +154,8 @@ HumanValve diseased_valve(Aetiology aetiology, const AnatomyValues& anatomy,
   for (std::optional<double>* height : {&d.anterior_height_mm, &d.posterior_height_mm,
                                         &d.lateral_height_mm, &d.commissure_height_mm})
     **height *= lesions[LeafletGrowth];
-  const double slack = anatomy[Slack] * lesions[ChordaeGrowth];
-  const double posterior = slack * (anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]);
-  d.slack = {slack, posterior, posterior, slack, slack};
+  d.slack = slack_with(anatomy[Slack] * lesions[ChordaeGrowth],
+                       anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]);
   d.tissue.thickness_mm *= lesions[ThicknessGrowth];
   Remodelling& change = human.change.emplace();
   change.elongated = {{Segment::P2, 100.0 * (lesions[P2Slack] - 1.0)}};
