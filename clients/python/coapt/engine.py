@@ -21,7 +21,7 @@ from .openings import Opening
 from .results import Evaluations, SearchResult, StudyResult
 from .service import Service
 from .sources import PlanSource, Valve, ValveHere, valve_document
-from .transport import encoded
+from .transport import CopiedAsItself, encoded
 
 if TYPE_CHECKING:
     import numpy
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from . import _engine
 
 
-class Engine(Service):
+class Engine(CopiedAsItself, Service):
     """Closes, searches and studies in this process. Its functions are a Client's; threads may share an engine.
 
     Jobs end with the process: with a database they go on in the next engine that has it, and closures of searches and studies
@@ -58,12 +58,6 @@ class Engine(Service):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return engine_here, ()
-
-    def __copy__(self) -> Engine:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> Engine:
-        return self
 
     def end(self) -> None:
         """Stops jobs, and removes what was kept for this process alone. Without it, that is done at the end of the process."""
@@ -186,7 +180,7 @@ class Engine(Service):
         return local_closure(native)
 
 
-class LocalValve(ValveHere):
+class LocalValve(CopiedAsItself, ValveHere):
     """A mitral valve in this process; nothing changes it, and threads may share it. See preset(), read_valve() and
     Engine.valve(). Frame: x posteromedial, y anterior, z to the atrium. A Client takes it, too.
 
@@ -209,12 +203,6 @@ class LocalValve(ValveHere):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _valve_of, (self.native.write(),)
-
-    def __copy__(self) -> LocalValve:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> LocalValve:
-        return self
 
     @property
     def name(self) -> str:

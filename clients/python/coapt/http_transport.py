@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from .errors import Busy, CoaptError, Unreachable, refusal
-from .transport import LOST, Answer, encoded
+from .transport import LOST, Answer, CopiedAsItself, encoded
 
 _MOST_BYTES = 256 << 20  # of an answer
 _FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
@@ -24,7 +24,7 @@ _THIS_MACHINE = ("localhost", "127.0.0.1", "::1")
 
 
 @dataclass(frozen=True)
-class HttpTransport:
+class HttpTransport(CopiedAsItself):
     """Where the service is, and how patient its client.
 
     timeout_s: for the service to answer, from the last byte that came. retries: further tries of a request whose answer
@@ -57,12 +57,6 @@ class HttpTransport:
         self.__dict__.update(state)
         if (token := os.environ.get("COAPT_TOKEN")) and (self.plain_http or self._keeps_secrets()):
             self.__dict__["token"] = token
-
-    def __copy__(self) -> HttpTransport:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> HttpTransport:
-        return self
 
     def _body(self, response: http.client.HTTPResponse) -> bytes:
         # Of a length that was said, a part alone is an error; with a limit http.client takes it for the whole.

@@ -17,7 +17,7 @@ from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from .errors import BadDocument, InvalidRequest, MissingPackage, Problem, Unreachable, refusal
-from .transport import Answer, Stream, encoded
+from .transport import Answer, CopiedAsItself, Stream, encoded
 
 if TYPE_CHECKING:
     from . import _engine
@@ -115,7 +115,7 @@ class ElsewhereTransport:
         time.sleep(seconds)
 
 
-class LocalTransport:
+class LocalTransport(CopiedAsItself):
     """
     Pickled, it is an ElsewhereTransport. In a forked child it is a new one, unless it has a database: that stays the parent's.
 
@@ -153,12 +153,6 @@ class LocalTransport:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return ElsewhereTransport, ()
-
-    def __copy__(self) -> LocalTransport:
-        return self
-
-    def __deepcopy__(self, memo: Any) -> LocalTransport:
-        return self
 
     def request(
         self,

@@ -7,11 +7,21 @@ import json
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 from .errors import BadDocument, Unreachable
 
 LOST = (OSError, http.client.HTTPException)  # the answer, or a part of it, did not come
+
+
+class CopiedAsItself:
+    """What holds a connection or native state: copies of it are the same object."""
+
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Self:
+        return self
 
 
 @dataclass(frozen=True)
