@@ -41,11 +41,13 @@ ChordaKind kind_at(std::size_t choice) {
 struct RowReader {
   const CsvTable& table;
   const CsvRow& row;
-  std::map<std::string_view, std::size_t> columns;
+  std::map<std::string, std::size_t, std::less<>> columns;
   std::string path;
   ProblemList& problems;
 
-  std::string_view field(std::string_view column) const { return row.fields[columns.at(column)]; }
+  std::string_view field(std::string_view column) const {
+    return row.fields[columns.find(column)->second];
+  }
 
   void add(ErrorCode code, std::string_view column, const std::string& message) const {
     problems.add(code, path + '/' + std::string(column),
