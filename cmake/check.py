@@ -24,6 +24,7 @@ from affected import ROOT, affected_rooms, changed_files, usual_base
 # What builds every program: a change of these may break all.
 BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/")
 PRODUCT = ("core", "search", "io", "farm", "server", "clients")
+LAST_LINES = 60  # of what failed
 
 
 @dataclass(frozen=True)
@@ -136,7 +137,7 @@ class Run:
     """Phases as they end; the first that fails ends the check."""
 
     def __init__(self):
-        self.rows, self.failed, self.printing = [], None, threading.Lock()
+        self.rows, self.endings, self.failed, self.printing = [], [], None, threading.Lock()
 
     def say(self, text):
         with self.printing:
@@ -159,6 +160,7 @@ class Run:
             self.say("{}: passed, {:.0f} s".format(*row))
         else:
             self.failed = self.failed or phase.name
+            self.endings.append("\n".join([f"{phase.name}, the last lines of {log}:", *text.splitlines()[-LAST_LINES:]]))
             self.say(f"{text}\n{phase.name}: FAILED ({log})")
 
     def lane(self, phases):
@@ -203,6 +205,9 @@ def main():
     run, started = Run(), time.monotonic()
     for stage in plan:
         run.stage([[phase for phase in lane if chosen(phase)] for lane in stage])
+    # Again, because a long output may be cut in front.
+    for ending in run.endings:
+        print(f"\n{ending}")
     run.table()
     tests = sum(row[3] for row in run.rows)
     print(
