@@ -321,7 +321,7 @@ test('a token is asked for; the link that holds it will do', async () => {
 test('the service is away', async () => {
   const lonely = await startService()
   const left = await open('repair', { url: lonely.url })
-  await named('human-functional-mr', left.page)
+  await left.page.getByRole('button', { name: 'Ring', exact: true }).waitFor()
   await lonely.kill()
   await press('Ring', left.page)
   await left.page.locator('[data-part=notices]').getByText('The service does not answer').waitFor()
