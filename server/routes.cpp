@@ -1,6 +1,7 @@
 #include "server/routes.h"
 
 #include "server/endpoints/closures.h"
+#include "server/endpoints/diagnoses.h"
 #include "server/endpoints/evaluations.h"
 #include "server/endpoints/exports.h"
 #include "server/endpoints/health.h"
@@ -43,6 +44,7 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/closures", PostClosures{valves, compute}},
       {"POST", "/v1/scenes", PostScenes{valves, compute}},
       {"POST", "/v1/openings", PostOpenings{valves, compute}},
+      {"POST", "/v1/diagnoses", PostDiagnosis{valves, compute}},
       {"POST", "/v1/physiology", PostPhysiology{valves, compute}},
       {"POST", "/v1/evaluations", PostEvaluations{valves, compute}},
       {"POST", "/v1/preferences", PostPreferences{valves, compute}},

@@ -17,6 +17,7 @@ void add_valve_remodel(Command parent, int& status);
 void add_close(Command parent, int& status);
 void add_compare(Command parent, int& status);
 void add_design(Command parent, int& status);
+void add_diagnose(Command parent, int& status);
 void add_evaluate(Command parent, int& status);
 void add_export(Command parent, int& status);
 void add_fit(Command parent, int& status);

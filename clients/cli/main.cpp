@@ -19,6 +19,7 @@ void add_commands(Command app, int& status) {
   add_close(app, status);
   add_compare(app, status);
   add_design(app, status);
+  add_diagnose(app, status);
   add_evaluate(app, status);
   add_export(app, status);
   add_fit(app, status);
@@ -42,7 +43,7 @@ constexpr Program kCoapt = {
     "Each command's --help has more; `man coapt` has all.\n\n"
     "Exit codes: 0 done; 1 coapt failed; 2 bad input or usage; 3 closure not converged or "
     "leaflets\n"
-    "cross; 4 the best plan is not known to close the valve robustly; 130 interrupted, best so "
+    "cross; 4 no plan is acceptable; 130 interrupted, best so "
     "far printed.",
     add_commands};
 

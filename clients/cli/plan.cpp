@@ -125,6 +125,11 @@ void add_plan(Command parent, int& status) {
   add_store_option(command, arguments->store);
   command.add_flag("--no-evidence", arguments->no_evidence,
                    "Leave out errors of single sutures and further remodelling");
+  command
+      .add_option("--rank", arguments->rank,
+                  "Order of acceptable plans: by the rule of classes, or by the price of each plan")
+      .one_of(std::vector<std::string>{"rule", "price"})
+      .show_default();
   command.add_flag("--json", arguments->json, "Print JSON");
   command
       .add_option("-o,--report", arguments->report,
@@ -156,10 +161,10 @@ void add_plan(Command parent, int& status) {
       "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
       "progress have ended. A second Ctrl-C ends coapt at once (130 in the shell) and prints "
       "nothing.\n\n"
-      "Exit code 4 unless the best plan closes the valve robustly: all closures over its region\n"
-      "converge without crossing, mean + sd of the leak stay below 1 mm2, and so does its leak on "
-      "the\nfiner mesh. The ranking "
-      "then\nstarts with the least bad.\n\n"
+      "Exit code 4 unless the best plan is acceptable: the valve leaks less than 5 mm2 with a "
+      "probability of\n0.95, over errors of the hand, tissue and mesh, and on the finer mesh, too; no "
+      "rule of practice rejects\nit, and it opens far enough. Else the ranking starts with the least "
+      "bad.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"
       "  coapt plan valve.json --fix ring30.json --forbid papillary_approximation:saddle_peak\n"

@@ -35,6 +35,7 @@ std::string command_line(const PlanArguments& arguments) {
   if (options.model_draws != SearchOptions{}.model_draws)
     line << " --model-draws " << options.model_draws;
   if (!options.evidence) line << " --no-evidence";
+  if (options.rank_by_price) line << " --rank price";
   return line.str();
 }
 
@@ -66,6 +67,7 @@ int complete_options(const Command& command, PlanArguments& arguments) {
     arguments.preference = learned->posterior;
   }
   if (arguments.no_evidence) given.evidence = false;
+  if (arguments.rank == "price") given.rank_by_price = true;
   for (const std::string& word : arguments.forbidden) given.rules.forbidden.push_back(word);
   for (const std::string& file : arguments.rings) {
     const Expected<RingDesign> ring = read_ring_argument(file);

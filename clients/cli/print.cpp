@@ -159,6 +159,9 @@ void print_closure(std::ostream& out, const Json& closure) {
       << " steps, residual " << rounded(closure["residual"], 4) << ", " << crossing_words(closure)
       << '\n';
   print_attempts(out, closure["attempts"]);
+  if (const auto diagnosis = closure.find("diagnosis");
+      diagnosis != closure.end() && !diagnosis->is_null())
+    out << "  " << (*diagnosis)["sentence"].get<std::string>() << '\n';
   print_measure(out, closure);
   if (const auto opening = closure.find("opening"); opening != closure.end())
     row(out, "opening") << opening_in_short(*opening) << '\n';

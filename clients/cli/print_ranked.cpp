@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "clients/cli/print.h"
+#include "core/closed/diagnosis.h"
 #include "io/json/json.h"
 #include "io/picture/text.h"
 
@@ -17,16 +18,9 @@ namespace coapt {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-constexpr double kFarthest_mm = 1.0, kFarthest_deg = 5.0;  // borders of the region: see LeakMargin
 
-std::string known(const Json& value, int decimals = 1) {
-  const double number = number_of(value);
-  return std::isfinite(number) ? fixed(number, decimals) : "-";
-}
-
-std::string margin(const Json& value, double farthest, int decimals) {
-  return (number_of(value) >= farthest ? ">" : "") + known(value, decimals);
-}
+std::string known(double number) { return std::isfinite(number) ? fixed(number, 1) : "-"; }
+std::string known(const Json& value) { return known(number_of(value)); }
 
 /// `mark` stands before the first line; later ones stand below its text.
 void print_words(std::ostream& out, const std::string& mark, const std::string& text) {
@@ -45,25 +39,43 @@ void print_words(std::ostream& out, const std::string& mark, const std::string& 
   out << line << '\n';
 }
 
+double number_in(const Json& plan, const char* key) {
+  const auto found = plan.find(key);  // results of earlier releases have fewer
+  return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
+}
+
+/// What a cardiologist would call what is left: by mean + sd over the region, or as planned where that was not closed.
+std::string leak_words(const Json& plan) {
+  const Json& leak = plan["leak_mm2"];
+  const double over_region = number_of(leak["mean"]) + number_of(leak["sd"]);
+  const double left = std::isfinite(over_region) ? over_region : number_of(leak["nominal"]);
+  if (!std::isfinite(left)) return "not known";
+  if (left < kTraceLeak_mm2) return "none or trace";
+  return left < kMildLeak_mm2 ? "mild" : fixed(left, 0) + " mm2";
+}
+
+int muscles_sutured(const Json& plan) {
+  const Json& steps = plan["plan"]["steps"];
+  return static_cast<int>(std::count_if(steps.begin(), steps.end(), [](const Json& step) {
+    return step["step"] == "papillary_approximation";
+  }));
+}
+
 void print_header(std::ostream& out) {
-  out << "                   leak over the region, mm2         margin to leak\n"
-      << "rank     leak    mean    sd   p95  worst  <5 mm2      mm   deg"
-      << "  coaptation  tension\n"
-      << "          mm2" << std::string(49, ' ') << "          mm        N\n";
+  out << "rank  leak left      < 5 mm2   bears   opens  gradient  steps   muscles   sizes\n"
+      << "                                 mm     cm2      mmHg           sutured   below\n";
 }
 
 void print_row(std::ostream& out, const Json& plan) {
-  const Json &leak = plan["leak_mm2"], &to_leak = plan["margin_to_leak"];
-  const Json &measure = plan["measure"], &coaptation = measure["coaptation"];
-  const double below = number_of(leak["below_5"]);
-  out << std::setw(4) << plan["rank"].get<int>() << std::setw(9) << known(measure["leak_mm2"])
-      << std::setw(8) << known(leak["mean"]) << std::setw(6) << known(leak["sd"]) << std::setw(6)
-      << known(leak["p95"]) << std::setw(7) << known(leak["worst"]) << std::setw(8)
-      << (std::isfinite(below) ? percent(below) : "-") << std::setw(8)
-      << margin(to_leak["suture_length_mm"], kFarthest_mm, 2) << std::setw(6)
-      << margin(to_leak["angle_deg"], kFarthest_deg, 1) << std::setw(12)
-      << known(coaptation["height_mean_mm"]) << std::setw(9) << known(measure["tension_max_n"], 2)
-      << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
+  const double likely = number_in(plan, "acceptable_probability");
+  const double area = number_in(plan, "opening_area_mm2");
+  out << std::setw(4) << plan["rank"].get<int>() << "  " << std::left << std::setw(14)
+      << leak_words(plan) << std::right << std::setw(8)
+      << (std::isfinite(likely) ? percent(likely) : "-") << std::setw(8)
+      << known(number_in(plan, "durability_mm")) << std::setw(8) << known(0.01 * area)
+      << std::setw(10) << known(number_in(plan, "gradient_mmhg")) << std::setw(7)
+      << plan["plan"]["steps"].size() << std::setw(10) << muscles_sutured(plan) << std::setw(8)
+      << known(plan["ring_sizes_below"]) << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
 }
 
 /// Whether the finer mesh gave it another place.
@@ -73,9 +85,13 @@ bool changed_place(const Json& plan) {
          fine["own_mesh_rank"] != plan["rank"];
 }
 
+/// Where the finer mesh says otherwise.
 void print_fine(std::ostream& out, const Json& plan) {
   const Json& fine = plan["fine"];
   if (fine.is_null()) return;
+  const bool closes = fine["status"] == "converged" && !fine["crossing"].get<bool>() &&
+                      number_of(fine["leak_mm2"]) < kTraceLeak_mm2;
+  if (closes && !changed_place(plan)) return;
   std::string words =
       "on " + grouped(fine["triangles"]) + " triangles: leak " +
       with_error(number_of(fine["leak_mm2"]), number_of(fine["leak_mm2_error"]), "mm2");
@@ -84,24 +100,6 @@ void print_fine(std::ostream& out, const Json& plan) {
   if (changed_place(plan))
     words += "; by its own mesh it would rank " + std::to_string(fine["own_mesh_rank"].get<int>());
   print_words(out, "      ", words);
-}
-
-/// "opens to 3.1 cm2, mean gradient 2.0 mmHg; bears 4.2 mm of further disease (25 % of courses all 12 mm)"
-void print_outlook(std::ostream& out, const Json& plan) {
-  const auto number = [&](const char* key) {
-    const auto found = plan.find(key);  // a result of release 0.1 has none
-    return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
-  };
-  const double area = number("opening_area_mm2");
-  std::string words;
-  if (std::isfinite(area))
-    words = "opens to " + fixed(0.01 * area, 1) + " cm2, mean gradient " +
-            fixed(number("gradient_mmhg"), 1) + " mmHg at rest";
-  if (const double lasts = number("durability_mm"); std::isfinite(lasts))
-    words += (words.empty() ? "bears " : "; bears ") + fixed(lasts, 1) +
-             " mm of further disease before it leaks 5 mm2 (" + percent(number("outlasting")) +
-             " of courses all 12 mm)";
-  if (!words.empty()) print_words(out, "      ", words);
 }
 
 void print_model_draws(std::ostream& out, const Json& result) {
@@ -116,7 +114,7 @@ void print_model_draws(std::ostream& out, const Json& result) {
                                                   : " of tissue and chordae") +
           ", the same for all plans; unrepaired leak " + known(leak["mean"]) + " ± " +
           known(leak["sd"]) + " mm2" +
-          (result["plans"].empty() ? "" : ". A rank that does not hold in them is called a tie"));
+          (result["plans"].empty() ? "" : ". How likely a plan leaks mildly counts them"));
 }
 
 /// What the finer mesh was for, and whether it would order the plans otherwise.
@@ -133,41 +131,6 @@ void print_fine_mesh(std::ostream& out, const Json& result) {
                   (!complete ? "not all plans were closed on it, so it does not order them"
                    : changed ? "it changes the order of these plans, see there"
                              : "it leaves the order of these plans as it is"));
-}
-
-/// What the model's own error makes of the leak as planned.
-void print_draws(std::ostream& out, const Json& plan) {
-  const auto drawn = plan.find("under_draws");
-  if (drawn == plan.end() || drawn->is_null()) return;
-  const Json& leak = (*drawn)["leak_mm2"];
-  std::string words = "leak " + known(plan["leak_mm2"]["nominal"]) + " mm2 as planned: model ± " +
-                      known(leak["sd"]) + " (mean " + known(leak["mean"]) + ", worst " +
-                      known(leak["worst"]);
-  if (const int failures = (*drawn)["failures"]; failures > 0)
-    words += "; " + counted(failures, "draw") + " failed";
-  print_words(out, "      ", words + ")");
-}
-
-/// How many of a sample end elsewhere from a cold start.
-void print_cold_starts(std::ostream& out, const Json& plan) {
-  const auto starts = plan.find("cold_starts");
-  if (starts == plan.end() || starts->is_null() || (*starts)["closures"] == 0) return;
-  const int closures = (*starts)["closures"], elsewhere = (*starts)["elsewhere"];
-  print_words(out, "      ",
-              "closed from the open state, " + std::to_string(elsewhere) + " of " +
-                  std::to_string(closures) +
-                  " closures of the region end elsewhere; leaks differ by " +
-                  known((*starts)["leak_difference_max_mm2"], 2) + " mm2 at most");
-}
-
-/// Why the order of a plan and the next is open.
-std::string tie_words(const Json& plan) {
-  const double likely = number_of(plan["probability_outranks_next"]);
-  const double ahead = number_of(plan.value("share_of_draws_ahead", Json()));
-  std::string words = std::isfinite(likely) ? percent(likely) + " likely ahead" : "";
-  if (std::isfinite(ahead))
-    words += (words.empty() ? "" : ", ") + ("ahead in " + percent(ahead)) + " of the model's draws";
-  return words;
 }
 
 /// What gates say against a plan, then what else is to be warned of.
@@ -189,47 +152,39 @@ void print_plan(std::ostream& out, const Json& plan) {
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
-  print_outlook(out, plan);
   print_fine(out, plan);
-  print_draws(out, plan);
-  print_cold_starts(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
   print_warnings(out, plan);
-  if (plan["tie_with_next"].get<bool>())
-    out << "      ties with the next: " << tie_words(plan) << '\n';
   if (const auto preferred = plan.find("preferred_over_next");
       preferred != plan.end() && !preferred->is_null())
     out << "      preferred to the next by an expert of these weights: " << percent(*preferred)
         << '\n';
 }
 
-std::string ladder_words(const Json& ladder) {
-  std::string words;
-  for (const Json& step : ladder) {
-    const int from = step["from"];
-    const double spearman = number_of(step["spearman"]);
-    words += (words.empty() ? "" : "; ") + (from == 0 ? "geometry" : grouped(from)) + " to " +
-             grouped(step["to"]) + ": ";
-    words += std::isfinite(spearman)
-                 ? fixed(spearman, 2) + " over " + counted(step["plans"], "plan")
-                 : "not measured";
-    if (step["skipped"].get<bool>()) words += ", not trusted";
-  }
-  return words;
+/// Which plans cannot be told apart, and why the first is first.
+std::string class_words(const Json& plans) {
+  const Json& first = plans.front();
+  if (!first.contains("class")) return "";  // a result of release 0.2
+  const double mild = number_of(first["acceptable_probability"]);
+  if (!first["closes_robustly"].get<bool>())
+    return "No plan is acceptable: the first one leaks less than 5 mm2 with a probability of " +
+           percent(mild) + ".";
+  const auto alike = std::count_if(plans.begin(), plans.end(), [&](const Json& plan) {
+    return plan["class"] == first["class"];
+  });
+  return (alike > 1 ? "Plans 1 to " + std::to_string(alike) +
+                          " cannot be told apart; plan 1 is the simplest of them. It"
+                    : std::string("Plan 1")) +
+         " leaks less than 5 mm2 with a probability of " + percent(mild) +
+         ", over errors of the hand, tissue and mesh.";
 }
 
-void print_search(std::ostream& out, const Json& result) {
-  if (!result["ladder"].empty())
-    print_words(out, "Ladder: ",
-                "Spearman's correlation of costs from few closures a plan with those from more: " +
-                    ladder_words(result["ladder"]));
-  if (result["branches"] > 0)
-    out << "Branches: " << result["branches"] << ", with " << grouped(result["plans_possible"])
-        << " possible plans, of which " << grouped(result["plans_tried"]) << " tried\n";
+/// What is not among the plans, and why.
+void print_cut(std::ostream& out, const Json& result) {
   for (const Json& cut : result["cut"])
     print_words(
-        out, "  left out: ", cut["what"].get<std::string>() + ": " + cut["why"].get<std::string>());
+        out, "left out: ", cut["what"].get<std::string>() + ": " + cut["why"].get<std::string>());
 }
 
 }  // namespace
@@ -243,12 +198,16 @@ void print_ranked(std::ostream& out, const Json& result) {
                              number_of(before["leak"]["error_mm2"]), "mm2") +
                   ", coaptation " + fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
                   before["status"].get<std::string>() + ", " + crossing_words(before));
+  if (const auto diagnosis = result.find("diagnosis");
+      diagnosis != result.end() && !diagnosis->is_null())
+    print_words(out, "Diagnosis: ", (*diagnosis)["sentence"].get<std::string>());
   out << '\n';
   if (plans.empty()) {
-    out << "no plan yet\n";
+    out << (result["stop"] == "exhausted" ? "No plan: what is indicated is left out, see below.\n"
+                                          : "no plan yet\n");
   } else {
-    if (!result["any_competent"].get<bool>())
-      out << "No plan closes this valve robustly; the ranking starts with the least bad.\n\n";
+    print_words(out, "", class_words(plans));
+    out << '\n';
     print_header(out);
   }
   for (const Json& plan : plans) print_plan(out, plan);
@@ -260,7 +219,7 @@ void print_ranked(std::ostream& out, const Json& result) {
   out << '\n';
   print_fine_mesh(out, result);
   print_model_draws(out, result);
-  print_search(out, result);
+  print_cut(out, result);
   out << result["closures"] << " closures (" << result["closures_not_converged"]
       << " not converged, " << result["closures_crossed"] << " crossed";
   if (result["closures_known"] > 0)

@@ -1,5 +1,6 @@
 #include "io/json/plans_json.h"
 
+#include "io/json/diagnosis_json.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
@@ -164,10 +165,12 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"margin_to_leak", margin_json(region.margin_to_leak)},
                {"pareto", ranked.pareto},
                {"probability_outranks_next", ranked.probability_outranks_next},
-               {"share_of_draws_ahead", ranked.share_of_draws_ahead},
-               {"tie_with_next", ties_with_next(ranked)},
+               {"acceptable_probability", ranked.acceptable_probability},
+               {"class", ranked.of_class},
+               {"simplest_of_class", ranked.simplest_of_class},
+               {"tie_with_next", ranked.ties_with_next},
                {"subset", {{"nodes", ranked.subset_nodes}, {"cost", ranked.subset_cost}}},
-               {"closes_robustly", closes_robustly(ranked)},
+               {"closes_robustly", ranked.is_acceptable},
                {"fine", fine_json(ranked, mesh)},
                {"under_draws", spread_json(ranked.model)},
                {"cold_starts", ranked.starts ? to_json(*ranked.starts) : Json()},
@@ -227,7 +230,8 @@ Json to_json(const SearchResult& result) {
   return result_document(
       "coapt.plans/2",
       {{"before", before_json(result)},
-       {"any_competent", result.any_competent},
+       {"diagnosis", to_json(result.diagnosis)},
+       {"any_competent", result.any_acceptable},
        {"plans",
         list_of(result.plans,
                 [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},

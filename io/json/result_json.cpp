@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/json/diagnosis_json.h"
 #include "io/json/version.h"
 
 namespace coapt {
@@ -217,6 +218,7 @@ Json closure_to_json(const Valve& valve, const ClosureResult& closure, const Val
                      to_json(measure));
   if (is_mitral(valve))
     json["coaptation_area_index"] = coaptation_area_index(valve, closure.closed_mm);
+  json["diagnosis"] = to_json(diagnose(valve, closure, measure));
   return json;
 }
 

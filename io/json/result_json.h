@@ -34,7 +34,7 @@ Json to_json(const AccurateClosure& closure, double error_mm2);
 Json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& options);
 
 /// Keys that scripts rely on: method, membrane, status, crossing, leak_mm2, leak, residual,
-/// steps, seconds, triangles; then every measure.
+/// steps, seconds, triangles; then every measure, and the diagnosis (diagnosis_json.h).
 Json closure_to_json(const Valve& valve, const ClosureResult& closure, const ValveMeasure& measure,
                      double seconds);
 

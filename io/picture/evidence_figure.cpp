@@ -111,10 +111,10 @@ Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
     }
     panel.series.push_back({"limit of a good repair",
                             {0.0, farthest},
-                            {kGoodRepair_mm2, kGoodRepair_mm2},
+                            {kMildLeak_mm2, kMildLeak_mm2},
                             Hue::Ink,
                             Mark::Dashed});
-    panel.y_holds = {0.0, 2.0 * kGoodRepair_mm2};
+    panel.y_holds = {0.0, 2.0 * kMildLeak_mm2};
     return draw_with_keys(panel, box);
   };
 }

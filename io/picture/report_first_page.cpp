@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kOthersShown = 5;  // rows that leave the page a page
 constexpr std::size_t kWarningsShown = 5;
-constexpr double kCounted = 0.99;  // 400 resamples say no more
+constexpr double kCounted = 0.99;  // resamples say no more
 
 std::string key_figure(const std::string& name, const std::string& value,
                        const std::string& remark) {
@@ -24,22 +24,19 @@ std::string key_figure(const std::string& name, const std::string& value,
 
 bool varied(const RankedPlan& plan) { return std::isfinite(plan.region.leak_mm2.mean); }
 
-std::string tie_words(const std::vector<RankedPlan>& plans, std::size_t index) {
-  std::size_t first = index, last = index;
-  while (first > 0 && ties_with_next(plans[first - 1])) --first;
-  while (last + 1 < plans.size() && ties_with_next(plans[last])) ++last;
-  const std::string ranks = std::to_string(plans[first].rank) +
-                            (last == first + 1 ? " and " : " to ") +
-                            std::to_string(plans[last].rank);
-  if (last == first + 1)
-    return "Plans " + ranks + " tie: the simulation cannot tell which is better.";
-  if (first < last) return "Plans " + ranks + " tie, each with the next: their order means little.";
-  const double ahead = plans[index].probability_outranks_next;
-  const double drawn = plans[index].share_of_draws_ahead;
+/// Why the plan stands where it does.
+std::string place_words(const std::vector<RankedPlan>& plans, std::size_t index) {
+  const RankedPlan& plan = plans[index];
+  const auto alike = std::count_if(plans.begin(), plans.end(), [&](const RankedPlan& other) {
+    return other.of_class == plan.of_class;
+  });
+  if (alike > 1)
+    return (plan.simplest_of_class ? "It is the simplest of " : "It is one of ") +
+           std::to_string(alike) + " plans that cannot be told apart.";
+  const double ahead = plan.probability_outranks_next;
   if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
-  return "Ahead of plan " + std::to_string(plans[index + 1].rank) + " with a probability of " +
-         (ahead > kCounted ? "more than 99 %" : percent(ahead)) +
-         (std::isfinite(drawn) ? ", and in " + percent(drawn) + " of the model's draws." : ".");
+  return "It is rightly before plan " + std::to_string(plans[index + 1].rank) +
+         " with a probability of " + (ahead > kCounted ? "more than 99 %" : percent(ahead)) + ".";
 }
 
 std::string stop_words(SearchStop stop) {
@@ -59,33 +56,43 @@ std::string stop_words(SearchStop stop) {
 
 /// What may be believed of the closing, first.
 std::string verdict(const PlanReport& report, const RankedPlan& plan) {
-  const bool robust = closes_robustly(plan);
   const RegionReport& region = plan.region;
   std::string words;
-  if (robust)
-    words = "Closes this valve robustly in the simulation: all " + grouped(region.closures) +
-            " variations of the plan converged, and mean + sd of the leak stay below 1 mm².";
-  else if (plan.status != ClosureStatus::Converged || plan.crossing)
+  const bool failed = plan.status != ClosureStatus::Converged || plan.crossing;
+  const bool acceptable = plan.is_acceptable && !failed && varied(plan);
+  if (failed)
     words = "The simulation of this plan failed: do not trust its figures.";
   else if (!varied(plan))
+    words = "It is not known whether this plan is acceptable: it was not closed under variations.";
+  else if (acceptable && plan.plan.steps.empty())
+    words = "The valve is competent: no operation is indicated.";
+  else if (acceptable)
+    words = "The repaired valve leaks less than 5 mm² with a probability of " +
+            percent(plan.acceptable_probability) + ", over " + grouped(region.closures) +
+            " variations of the operation, the model's own error and that of the mesh.";
+  else if (!closes_finely(plan))
     words =
-        "It is not known whether this plan closes the valve robustly: it was not closed under "
-        "variations.";
-  else if (!closes_finely(plan) &&
-           plan.region.leak_mm2.mean + plan.region.leak_mm2.sd < kCompetentLeak_mm2)
-    words =
-        "Closes this valve on the mesh of the search, but not on the finer one that verdicts "
-        "need: it is not called robust.";
+        "This plan is not acceptable: it does not close the valve on the finer mesh that "
+        "verdicts need.";
   else
-    words = "Does not close this valve robustly in the simulation.";
-  std::string html = robust ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
+    words =
+        "This plan is not acceptable: the repaired valve leaks less than 5 mm² with a "
+        "probability of " +
+        percent(plan.acceptable_probability) + " only.";
+  std::string html =
+      acceptable ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
   html += escape_html(words) + "</strong>";
-  if (!report.result.any_competent)
-    html += " No plan closes this valve robustly; the ranking starts with the least bad.";
+  if (!report.result.any_acceptable)
+    html += " No plan is acceptable; the ranking starts with the least bad.";
   for (const std::string& more :
-       {tie_words(report.result.plans, plan_in_front(report)), stop_words(report.result.stop)})
+       {place_words(report.result.plans, plan_in_front(report)), stop_words(report.result.stop)})
     if (!more.empty()) html += " " + escape_html(more);
   return html + "</p>\n";
+}
+
+std::string diagnosis(const PlanReport& report) {
+  return report.result.diagnosis ? tag("p", escape_html(sentence_of(*report.result.diagnosis)))
+                                 : "";
 }
 
 std::string operation(const PlanReport& report, const RankedPlan& plan) {
@@ -147,7 +154,7 @@ std::string durability_figure(const RankedPlan& plan) {
   if (!plan.durability) return "";
   return key_figure("Further disease that it bears",
                     with_unit(plan.durability->expected_mm, 1, "mm"),
-                    "of the muscle, until it leaks " + shown(kGoodRepair_mm2) + " mm²; " +
+                    "of the muscle, until it leaks " + shown(kMildLeak_mm2) + " mm²; " +
                         percent(plan.durability->outlasting) + " of courses outlast " +
                         shown(kFurthestCourse_mm) + " mm");
 }
@@ -174,12 +181,12 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
                     "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
-         key_figure("Good repair, below " + shown(kGoodRepair_mm2) + " mm²", percent(leak.below_5),
+         key_figure("Good repair, below " + shown(kMildLeak_mm2) + " mm²", percent(leak.below_5),
                     of_variations) +
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
                         " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),
-                    "smallest error that leaks " + shown(kCompetentLeak_mm2) + " mm²") +
+                    "smallest error that leaks " + shown(kTraceLeak_mm2) + " mm²") +
          key_figure("Coaptation height", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
                     "minimum " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
                         fixed(before.coaptation.height_mean_mm, 1) + ", minimum " +
@@ -247,9 +254,9 @@ std::string other_row(const PlanReport& report, const RankedPlan& plan, bool in_
   std::string html = in_front ? "<tr class=\"this\">" : "<tr>";
   html += "<th scope=\"row\">" +
           (is_told(report, plan) ? "<a href=\"#plan-" + rank + "\">" + rank + "</a>" : rank) +
-          (closes_robustly(plan) ? " <span class=\"badge\">robust</span>" : "") +
+          (plan.is_acceptable ? " <span class=\"badge\">acceptable</span>" : "") +
           "</th><td class=\"words\">" + escape_html(short_words(plan)) +
-          (ties_with_next(plan) ? " <em>(tie)</em>" : "") + "</td>";
+          (plan.ties_with_next ? " <em>(tie)</em>" : "") + "</td>";
   for (const std::string& cell : {mean_and_sd(leak), fixed(leak.p95, 1), percent(leak.below_5),
                                   suture_margin(plan.region.margin_to_leak) + " · " +
                                       angle_margin(plan.region.margin_to_leak),
@@ -288,8 +295,8 @@ std::string others(const PlanReport& report, std::size_t front) {
 std::string first_page(const PlanReport& report) {
   const std::size_t front = plan_in_front(report);
   const RankedPlan& plan = report.result.plans[front];
-  return "<section class=\"first\">\n" + verdict(report, plan) + operation(report, plan) +
-         pictures(report, front) +
+  return "<section class=\"first\">\n" + diagnosis(report) + verdict(report, plan) +
+         operation(report, plan) + pictures(report, front) +
          "<div class=\"key\"><h3>Key figures and their uncertainty</h3>\n" +
          figures(report.result.before.measure, plan) + how_sure(plan) + "</div>\n" + care(plan) +
          others(report, front) + "</section>\n";

@@ -19,7 +19,7 @@ std::string cell(const std::string& words, const std::string& attributes = "") {
 
 std::string rank_cell(const RankedPlan& plan) {
   return "<th scope=\"row\">" + std::to_string(plan.rank) +
-         (closes_robustly(plan) ? " <span class=\"badge\">robust</span>" : "") +
+         (plan.is_acceptable ? " <span class=\"badge\">acceptable</span>" : "") +
          (plan.pareto ? " <span class=\"badge plain\">Pareto</span>" : "") + "</th>";
 }
 
@@ -43,17 +43,14 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
   if (plan.model)
     remarks.push_back("under " + counted(plan.model->draws, "draw") + " of the model: leak " +
                       fixed(plan.model->mean_mm2, 1) + " ± " + fixed(plan.model->sd_mm2, 1) +
-                      " mm², worst " + fixed(plan.model->worst_mm2, 1) + failed_draws(plan) +
-                      (std::isfinite(plan.share_of_draws_ahead)
-                           ? "; ahead of the next in " + percent(plan.share_of_draws_ahead)
-                           : ""));
+                      " mm², worst " + fixed(plan.model->worst_mm2, 1) + failed_draws(plan));
   return remarks;
 }
 
 std::string ahead_words(const RankedPlan& plan) {
   const double ahead = plan.probability_outranks_next;
   if (!std::isfinite(ahead)) return "";
-  return ties_with_next(plan) ? percent(ahead) + ": tie" : percent(ahead);
+  return plan.ties_with_next ? "same class" : percent(ahead);
 }
 
 std::string rows_of(const RankedPlan& plan) {

@@ -14,7 +14,7 @@ struct Scored {
   double cost = 0.0, sizes_below = 0.0;
   RegionReport region;
 
-  bool closes() const { return region.leak_mm2.nominal < kCompetentLeak_mm2; }
+  bool closes() const { return region.leak_mm2.nominal < kTraceLeak_mm2; }
 };
 
 /// Every plan of the lattice by branch and point.
@@ -73,7 +73,7 @@ LatticeFindings findings_of(const SolvedLattice& lattice) {
           plan->sizes_below < kMostSizes) {
         RingTightness& ring = findings.rings[static_cast<std::size_t>(plan->sizes_below)];
         ++ring.closing;
-        ring.robust += leak.mean + leak.sd < kCompetentLeak_mm2;
+        ring.robust += leak.mean + leak.sd < kTraceLeak_mm2;
         ring.sd_mm2 += leak.sd;
       }
       for (const bool anterolateral : {true, false}) {

@@ -168,7 +168,7 @@ OrderAgreement agreement(const std::vector<std::vector<JudgedPlan>>& valves, con
 
 }  // namespace
 
-bool MeshVerdict::competent() const { return trusted && leak_mm2 < kCompetentLeak_mm2; }
+bool MeshVerdict::competent() const { return trusted && leak_mm2 < kTraceLeak_mm2; }
 
 std::vector<JudgedPlan> study_verdicts(const VerdictStudyOptions& options,
                                        const std::function<void(int, int)>& progress) {

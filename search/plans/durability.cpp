@@ -9,7 +9,7 @@ namespace {
 constexpr double kOneCourse = 1.0 / 8.0;  // of a course
 
 bool leaks(const PlanClosure& closure) {
-  return !trusted(closure) || closure.leak_mm2 > kGoodRepair_mm2;
+  return !trusted(closure) || closure.leak_mm2 > kMildLeak_mm2;
 }
 
 /// Along one course; what is not closed does not leak.
@@ -21,7 +21,7 @@ double lasts_mm(const PlanRecord& plan, const DiseaseCourse& course) {
     const PlanClosure& closure = found->second;
     if (leaks(closure)) {
       const double share = trusted(closure) && step > 0
-                               ? (kGoodRepair_mm2 - before_mm2) / (closure.leak_mm2 - before_mm2)
+                               ? (kMildLeak_mm2 - before_mm2) / (closure.leak_mm2 - before_mm2)
                                : 0.0;
       return kCourseStep_mm * std::max(0.0, static_cast<double>(step) - 1.0 + share);
     }

@@ -9,7 +9,7 @@
 namespace coapt {
 
 struct Durability {
-  /// Way of the posteromedial tip until the leak passes kGoodRepair_mm2, mean over disease_courses(); a course that
+  /// Way of the posteromedial tip until the leak passes kMildLeak_mm2, mean over disease_courses(); a course that
   /// does not come to that counts with kFurthestCourse_mm. Between closures the leak is taken as linear.
   double expected_mm = 0.0;
   double outlasting = 0.0;  ///< share of the courses that do not come to that

@@ -294,7 +294,7 @@ ExplorationState explore(const ExplorationInput& input) {
   for (auto next = points.begin(); next != points.end() && !is_over(state);) {
     const auto end = next + std::min<std::ptrdiff_t>(kStartBatch, points.end() - next);
     try_points(state, {next, end});
-    promote_best(state, kGoodRepair_mm2);
+    promote_best(state, kMildLeak_mm2);
     next = end;
   }
   if (!is_over(state)) promote_best(state, std::numeric_limits<double>::infinity());

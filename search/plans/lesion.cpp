@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/valve/leaflet_of.h"
+
 namespace coapt {
 namespace {
 
@@ -86,6 +88,20 @@ std::vector<int> by_distance(const Valve& valve, const LeafletCoordinates& coord
   return indices;
 }
 
+/// LeafletPoint::along of a segment's middle.
+double middle_of(const Valve& valve, const LeafletCoordinates& coordinates, Segment segment) {
+  double sum = 0.0;
+  int faces = 0;
+  for (std::size_t f = 0; f < valve.segments.size(); ++f) {
+    if (valve.segments[f] != segment) continue;
+    constexpr double kThird = 1.0 / 3.0;
+    const Insertion middle{static_cast<int>(f), {kThird, kThird, kThird}};
+    sum += leaflet_point(valve, coordinates, middle).along;
+    ++faces;
+  }
+  return sum / faces;
+}
+
 }  // namespace
 
 std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates) {
@@ -100,7 +116,35 @@ std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& 
   if (along.empty()) return std::nullopt;
   const auto [first, last] = std::minmax_element(along.begin(), along.end());
   const Leaflet leaflet = posterior ? Leaflet::Posterior : Leaflet::Anterior;
-  return Lesion{leaflet, 0.5 * (*first + *last), usual_length_mm(valve, coordinates, leaflet)};
+  return Lesion{leaflet, 0.5 * (*first + *last), 0.5 * (*last - *first),
+                usual_length_mm(valve, coordinates, leaflet)};
+}
+
+std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& coordinates,
+                                 const std::optional<Diagnosis>& diagnosis) {
+  std::vector<Lesion> lesions;
+  if (!diagnosis) {
+    if (const auto lesion = find_lesion(valve, coordinates)) lesions.push_back(*lesion);
+    return lesions;
+  }
+  std::vector<SegmentDiagnosis> segments = prolapsing(*diagnosis);
+  std::stable_sort(segments.begin(), segments.end(),
+                   [](const auto& a, const auto& b) { return a.override_mm > b.override_mm; });
+  for (const Leaflet leaflet : {Leaflet::Posterior, Leaflet::Anterior}) {
+    double first = 1.0, last = 0.0;
+    for (const SegmentDiagnosis& segment : segments) {
+      if (leaflet_of(segment.segment) != leaflet) continue;
+      const double along = middle_of(valve, coordinates, segment.segment);
+      first = std::min(first, along);
+      last = std::max(last, along);
+    }
+    if (first <= last)
+      lesions.push_back({leaflet, 0.5 * (first + last), 0.5 * (last - first),
+                         usual_length_mm(valve, coordinates, leaflet)});
+  }
+  if (lesions.size() > 1 && leaflet_of(segments.front().segment) == Leaflet::Anterior)
+    std::swap(lesions[0], lesions[1]);
+  return lesions;
 }
 
 Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates,

@@ -1,25 +1,32 @@
-// Where marginal chordae are ruptured, and what could be done to chordae there.
+// Where the free edge is not held, and what could be done to chordae there.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "core/closed/diagnosis.h"
 #include "core/repair/plan.h"
 
 namespace coapt {
 
-/// The part of one free edge that ruptured marginal chordae held, on the leaflet with more of them
-/// (the posterior one of as many).
+/// A part of one free edge.
 struct Lesion {
   Leaflet leaflet = Leaflet::Posterior;
   double middle = 0.5;  ///< LeafletPoint::along
+  double reach =
+      0.0;  ///< either side of the middle, as far as the middles of segments or chordae go
   /// Mean of the intact marginal chordae of that leaflet, from head to leaflet (of all, if it has
   /// none; 20, if there are none at all).
   double length_mm = 0.0;
 };
 
-/// Nothing if no marginal chorda is ruptured.
+/// That ruptured marginal chordae held, on the leaflet with more of them (the posterior one of as many). None is ruptured: nothing.
 std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates);
+
+/// One for each leaflet that prolapses by the diagnosis, over all its segments that do, the highest first; without a diagnosis
+/// find_lesion()'s.
+std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& coordinates,
+                                 const std::optional<Diagnosis>& diagnosis);
 
 /// From the free edge at `along` (clamped to the leaflet) to the nearest head of the same half of
 /// the valve. Its head is empty if that half has none.

@@ -54,7 +54,7 @@ CostTerms cost_terms(std::span<const ScoredClosure> closures, const Effort& effo
     coaptation += short_by;
     gap += apart;
     tension += pull;
-    if (leak > kCompetentLeak_mm2) first_leak = std::min(first_leak, disturbance);
+    if (leak > kTraceLeak_mm2) first_leak = std::min(first_leak, disturbance);
   }
   CostTerms terms = effort_terms(effort);
   const double asked = closures.empty() ? 1.0 : static_cast<double>(closures.size());
@@ -63,7 +63,7 @@ CostTerms cost_terms(std::span<const ScoredClosure> closures, const Effort& effo
   const double mean = leaks / counted;
   const double sd = std::sqrt(std::max(0.0, squares / counted - mean * mean));
   terms[CostTerm::Leak] = mean + context.weights.sd_share * sd;
-  terms[CostTerm::Incompetence] = excess(terms[CostTerm::Leak], kCompetentLeak_mm2);
+  terms[CostTerm::Incompetence] = excess(terms[CostTerm::Leak], kTraceLeak_mm2);
   terms[CostTerm::Margin] = 1.0 - first_leak;
   terms[CostTerm::Coaptation] = coaptation / counted;
   terms[CostTerm::Gap] = gap / counted;

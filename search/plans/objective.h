@@ -8,16 +8,13 @@
 
 #include <span>
 
+#include "core/closed/diagnosis.h"
 #include "search/plans/cost_terms.h"
 #include "search/plans/effort.h"
 #include "search/plans/plan_closure.h"
 
 namespace coapt {
 
-/// Leak that a good repair leaves at most (thesis 4.2.3).
-inline constexpr double kGoodRepair_mm2 = 5.0;
-/// Leak below which a closed valve counts as competent.
-inline constexpr double kCompetentLeak_mm2 = 1.0;
 /// Coaptation of A2 with P2: an aim of surgeons, evidence is weak.
 inline constexpr double kCoaptationAim_mm = 8.0;
 

@@ -31,11 +31,21 @@ PlanEvaluationOptions evaluation_options(const SearchOptions& options,
           options.rules.fixed};
 }
 
+/// The valve as it is, and why it leaks.
+void tell_before(const PlanEvaluations& evaluations, SearchResult& result) {
+  const Valve& valve = evaluations.valve();
+  const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
+  result.before = before.evaluation;
+  result.closed_before = closed_valve(valve, before);
+  if (result.closed_before)
+    result.diagnosis = diagnose(valve, result.closed_before->closure, before.evaluation.measure);
+}
+
 /// What all evaluations and the ranked plans add to a result.
 void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
                SearchResult& result) {
-  result.any_competent = std::any_of(result.plans.begin(), result.plans.end(),
-                                     [](const RankedPlan& plan) { return closes_robustly(plan); });
+  result.any_acceptable = std::any_of(result.plans.begin(), result.plans.end(),
+                                      [](const RankedPlan& plan) { return plan.is_acceptable; });
   if (monitor.cancelled()) {
     result.stop = SearchStop::Cancelled;
   } else if (monitor.stopped()) {
@@ -48,14 +58,18 @@ void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
   result.seconds = monitor.seconds();
 }
 
-/// Fills what a result says of the best plans.
+/// Fills what a result says of the best plans. `map_nodes`: of the region, for the first of them.
 void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
-                    const SearchOptions& options, SearchResult& result) {
+                    const SearchOptions& options, int map_nodes, SearchResult& result) {
   evaluations.open(finalists, PlanEvaluations::Phase::Ranking);
   finalists = close_finalists(evaluations, std::move(finalists), options, result.ladder);
   const FineClosures fine = close_fine(evaluations, finalists, options.fine_levels);
   const ModelClosures model = close_under_draws(evaluations, finalists, options.model_draws);
-  result.plans = rank(evaluations, finalists, options.region_points, fine, model);
+  result.plans = rank(evaluations, finalists, options, fine, model);
+  if (map_nodes > options.region_points && !result.plans.empty()) {
+    close_map(evaluations, evaluations.record(result.plans.front().plan), map_nodes);
+    result.plans = rank(evaluations, finalists, options, fine, model);
+  }
   if (options.evidence)
     for (RankedPlan& plan : result.plans)
       plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
@@ -151,34 +165,37 @@ Errors check_search(const Valve& valve, const SearchOptions& options) {
 
 Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& options,
                                     const SearchContext& context) {
-  const Expected<PlanSpace> space = space_of(valve, options);
-  if (!space) return space.errors();
+  if (Errors errors = check_search(valve, options); !errors.empty()) return errors;
   SearchMonitor monitor(options.seconds, context.cancelled, context.progress, context.now);
   monitor.plan(1 + options.evaluations + front_closures(options) + ranking_closures(options),
                "searching");
   const Evaluator evaluate = evaluator(options, context);
   PlanEvaluations evaluations(evaluate, valve, evaluation_options(options, context), monitor);
-  const ExplorationState exploration = explore({evaluations, *space, options, monitor});
-
   SearchResult result;
-  const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
-  result.before = before.evaluation;
-  result.closed_before = closed_valve(valve, before);
+  tell_before(evaluations, result);
+  const PlanSpace space(valve, options.rules, result.diagnosis);
+  result.cut = space.cut();
+  if (space.branches().empty()) {  // nothing that is indicated is left
+    summarise(evaluations, monitor, result);
+    result.stop = SearchStop::Exhausted;
+    return result;
+  }
+  const ExplorationState exploration = explore({evaluations, space, options, monitor});
+
   result.evaluations = evaluations.closures() - 1;
   result.stop = exploration.stop;
   result.progress = exploration.progress;
   result.random_progress = random_progress(exploration);
   result.ladder = ladder_of(exploration);
-  result.cut = space->cut();
   for (const auto& [rule, count] : evaluations.rejections())
     result.cut.push_back(
         {std::to_string(count) + (count == 1 ? " plan" : " plans"), "rejected by rule " + rule});
-  result.branches = static_cast<int>(space->branches().size());
-  for (const Branch& branch : space->branches()) result.plans_possible += point_count(branch);
+  result.branches = static_cast<int>(space.branches().size());
+  for (const Branch& branch : space.branches()) result.plans_possible += point_count(branch);
 
   std::vector<const PlanRecord*> tried, scored = scored_plans(exploration);
   for (const Trial& trial : exploration.trials) tried.push_back(trial.record);
-  const std::vector<PlanRecord*> trading = trading_plans(evaluations, *space, exploration);
+  const std::vector<PlanRecord*> trading = trading_plans(evaluations, space, exploration);
   for (const PlanRecord* plan : trading) {
     if (std::find(tried.begin(), tried.end(), plan) == tried.end()) tried.push_back(plan);
     if (std::find(scored.begin(), scored.end(), plan) == scored.end()) scored.push_back(plan);
@@ -191,8 +208,12 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   if (!trading.empty())
     add_cheapest(pareto_front(evaluations, scored, kChosenBy), options.plans, evaluations,
                  finalists);
-  monitor.plan(evaluations.closures() + ranking_closures(options, finalists), "ranking");
-  rank_finalists(evaluations, finalists, options, result);
+  SearchOptions ordering = options;
+  ordering.region_points = std::min(options.region_points, kBeforeTheRegion);
+  monitor.plan(evaluations.closures() + ranking_closures(ordering, finalists) +
+                   options.region_points - ordering.region_points,
+               "ranking");
+  rank_finalists(evaluations, finalists, ordering, options.region_points, result);
   result.pareto_front = pareto_front(evaluations, scored, kChosenBy);
   for (const PlanRecord* plan : tried)
     result.tried.push_back(tried_plan(evaluations, *plan, result.plans));
@@ -225,10 +246,8 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
   }
   monitor.plan(1 + ranking_closures(all, records), "ranking");
   SearchResult result;
-  const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
-  result.before = before.evaluation;
-  result.closed_before = closed_valve(valve, before);
-  rank_finalists(evaluations, records, all, result);
+  tell_before(evaluations, result);
+  rank_finalists(evaluations, records, all, all.region_points, result);
   for (RankedPlan& ranked : result.plans)
     for (const NamedPlan& named : plans)
       if (&evaluations.record(named.plan) == &evaluations.record(ranked.plan))

@@ -15,12 +15,12 @@
 namespace coapt {
 namespace {
 
-constexpr double kLeastMovement_mm = 2.0;  // less is not worth a suture
+constexpr double kLeastMovement_mm = 3.0;  // less is the error of the hand: 5 degrees at 33 mm
 constexpr double kSpacing = 0.07;     // of `along`, between neochordae: 3 to 4 mm of the free edge
 constexpr double kPlaceStep = 0.035;  // 2 mm of it
 constexpr int kPlaces = 5;
 constexpr double kNeochordaScope_mm = 8.0;     // either side of the usual length
-constexpr Range kAnchorPlaces = {0.05, 0.35};  // beside the saddle peak to behind the commissure
+constexpr Range kAnchorPlaces = {0.05, 0.25};  // beside the saddle peak to the commissure
 constexpr double kAnchorPlaceStep = 0.025;     // 2 to 3 mm of the annulus
 constexpr double kFirstAnchorPlace = 0.15;     // about the trigone
 constexpr Range kShortenings_mm = {1.0, 6.0};
@@ -29,6 +29,8 @@ constexpr Range kTriangularWidths_mm = {6.0, 16.0}, kQuadrangularWidths_mm = {8.
                 kClipWidths_mm = {4.0, 10.0};
 constexpr double kLeafletWidthStep_mm = 2.0;
 constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0;
+constexpr double kDegenerativeRing =
+    0.75;                      // AP over transverse; shorter rings are made for tethered leaflets
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
 
 Side side_of(int index) { return index == 0 ? Side::Anterolateral : Side::Posteromedial; }
@@ -52,12 +54,21 @@ std::string in_mm(double value) { return with_decimals(value, 1) + " mm"; }
 
 }  // namespace
 
-PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules)
+PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
+                     const std::optional<Diagnosis>& diagnosis)
     : valve_(valve),
       rules_(rules),
       coordinates_(leaflet_coordinates(valve)),
-      lesion_(find_lesion(valve, coordinates_)) {
+      diagnosis_(diagnosis),
+      lesions_(find_lesions(valve, coordinates_, diagnosis)) {
   ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed)};
+  if (is_competent()) {
+    branches_.push_back({});
+    if (diagnosis_->competent_sure) {
+      cut_.push_back({"every operation", "the valve is competent"});
+      return;
+    }
+  }
   const std::vector<std::string> rings = offer_rings();
   const auto anterolateral = offer_anchors(Side::Anterolateral);
   const auto posteromedial = offer_anchors(Side::Posteromedial);
@@ -75,6 +86,16 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules)
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
     return step_count(a.choice) < step_count(b.choice);
   });
+}
+
+bool PlanSpace::is_indicated(CarpentierType type) const {
+  return !diagnosis_ || may_be(*diagnosis_, type);
+}
+
+/// And nothing was decided before.
+bool PlanSpace::is_competent() const {
+  return diagnosis_ && rules_.fixed.steps.empty() &&
+         (diagnosis_->competent || !diagnosis_->competent_sure);
 }
 
 std::vector<std::string> PlanSpace::offer_rings() {
@@ -104,11 +125,19 @@ std::vector<std::string> PlanSpace::offer_rings() {
     }
   };
   std::vector<double> sizes;
-  for (int below = 1; below <= static_cast<int>(kMostSizesBelow); ++below)
-    if (try_ring({OwnRing{below}}, below)) sizes.push_back(below);
-  offer(kOwnShape, sizes);
+  if (rules_.own_ring || !diagnosis_) {
+    for (int below = 1; below <= static_cast<int>(kMostSizesBelow); ++below)
+      if (try_ring({OwnRing{below}}, below)) sizes.push_back(below);
+    offer(kOwnShape, sizes);
+  } else {
+    cut_.push_back({"ring own", "no maker has the valve's own shape; it is offered on request"});
+  }
   for (const RingShape& shape : kRingShapes) {
     const std::string name(shape.name);
+    if (shape.ap_over_transverse < kDegenerativeRing && !is_indicated(CarpentierType::IIIb)) {
+      cut_.push_back({"ring " + name, "its leaflets are not tethered"});
+      continue;
+    }
     sizes.clear();
     for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
       const double below = (width - ring_width_mm(shape, size)) / kRingSizeStep_mm;
@@ -136,7 +165,7 @@ Parameter PlanSpace::ring_sizes(const std::string& shape) const {
     first = std::min(first, 0.5 * key.second);
     last = std::max(last, 0.5 * key.second);
   }
-  const double below = lesion_ ? 0.0 : kUsualSizesBelow.min;
+  const double below = lesions_.empty() ? kUsualSizesBelow.min : 0.0;
   if (shape == kOwnShape)
     return make_parameter(ParameterOf::RingSize, 0, {first, last}, 1.0, std::max(1.0, below));
   const double width = transverse_diameter_mm(valve_);
@@ -154,6 +183,10 @@ std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
   }
   if (is_forbidden(rules_, "papillary_approximation", to_string(side))) {
     cut_.push_back({what, "forbidden"});
+    return {std::nullopt};
+  }
+  if (!is_indicated(CarpentierType::IIIb)) {
+    cut_.push_back({what, "the leaflets are not tethered"});
     return {std::nullopt};
   }
   const double distance = anchor_distance_mm(valve_, {.side = side});
@@ -174,15 +207,18 @@ std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
 
 std::vector<int> PlanSpace::offer_neochordae() {
   std::string why;
-  if (!lesion_) why = "no marginal chorda is ruptured";
-  if (lesion_ && is_forbidden(rules_, "neochorda", to_string(lesion_->leaflet))) why = "forbidden";
+  if (lesions_.empty())
+    why = diagnosis_ ? "no segment prolapses" : "no marginal chorda is ruptured";
+  for (const Lesion& lesion : lesions_)
+    if (is_forbidden(rules_, "neochorda", to_string(lesion.leaflet))) why = "forbidden";
   if (rules_.most_neochordae == 0) why = "none are allowed";
   if (!why.empty()) {
     cut_.push_back({"neochordae", why});
     return {0};
   }
   std::vector<int> counts;
-  for (int count = 0; count <= rules_.most_neochordae; ++count) counts.push_back(count);
+  const int each = static_cast<int>(lesions_.size());
+  for (int count = 0; count <= rules_.most_neochordae; count += each) counts.push_back(count);
   return counts;
 }
 
@@ -191,26 +227,26 @@ std::vector<ChordalChoice> PlanSpace::offer_chordal() {
   if (rules_.chordal_excision && !is_forbidden(rules_, "chordal_excision", "") &&
       !anterior_struts(valve_, coordinates_).empty())
     offered.push_back(ChordalChoice::CutStruts);
-  if (!lesion_) return offered;
+  if (lesions_.empty()) return offered;
   if (rules_.chordal_length_change && !is_forbidden(rules_, "chordal_length_change", "") &&
-      !chordae_beside(valve_, coordinates_, *lesion_, 1).empty())
+      !chordae_beside(valve_, coordinates_, lesions_.front(), 1).empty())
     offered.push_back(ChordalChoice::Shorten);
   if (rules_.chordal_transfer && !is_forbidden(rules_, "chordal_transfer", "") &&
-      chorda_opposite(valve_, coordinates_, *lesion_) >= 0)
+      chorda_opposite(valve_, coordinates_, lesions_.front()) >= 0)
     offered.push_back(ChordalChoice::Transfer);
   return offered;
 }
 
 std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
   std::vector<LeafletChoice> offered = {LeafletChoice::None};
-  if (!lesion_) return offered;
+  if (lesions_.empty()) return offered;
   const auto may_be_cut = [&](ResectionShape shape) {
     return !is_forbidden(rules_, "leaflet_resection", to_string(shape)) &&
-           !is_forbidden(rules_, "leaflet_resection", to_string(lesion_->leaflet));
+           !is_forbidden(rules_, "leaflet_resection", to_string(lesions_.front().leaflet));
   };
   if (rules_.leaflet_resection && !has_step<LeafletResection>(rules_.fixed)) {
     if (may_be_cut(ResectionShape::Triangular)) offered.push_back(LeafletChoice::Triangular);
-    if (lesion_->leaflet == Leaflet::Posterior && may_be_cut(ResectionShape::Quadrangular))
+    if (lesions_.front().leaflet == Leaflet::Posterior && may_be_cut(ResectionShape::Quadrangular))
       offered.push_back(LeafletChoice::Quadrangular);
   }
   if (rules_.edge_to_edge && !has_step<EdgeToEdge>(rules_.fixed) &&
@@ -224,18 +260,20 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
     case LeafletChoice::None:
       return;
     case LeafletChoice::Triangular:
-      plan.steps.emplace_back(LeafletResection{.leaflet = lesion_->leaflet,
-                                               .along = within(kResectionAlong, lesion_->middle),
-                                               .width_mm = width_mm});
+      plan.steps.emplace_back(
+          LeafletResection{.leaflet = lesions_.front().leaflet,
+                           .along = within(kResectionAlong, lesions_.front().middle),
+                           .width_mm = width_mm});
       return;
     case LeafletChoice::Quadrangular:
-      plan.steps.emplace_back(LeafletResection{.shape = ResectionShape::Quadrangular,
-                                               .along = within(kResectionAlong, lesion_->middle),
-                                               .width_mm = width_mm});
+      plan.steps.emplace_back(
+          LeafletResection{.shape = ResectionShape::Quadrangular,
+                           .along = within(kResectionAlong, lesions_.front().middle),
+                           .width_mm = width_mm});
       return;
     case LeafletChoice::Clip:
       plan.steps.emplace_back(
-          EdgeToEdge{EdgeDevice::Clip, within(kEdgeAlong, lesion_->middle), width_mm});
+          EdgeToEdge{EdgeDevice::Clip, within(kEdgeAlong, lesions_.front().middle), width_mm});
       return;
   }
 }
@@ -263,8 +301,8 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
                                           kAnchorPlaceStep, kFirstAnchorPlace));
   }
   for (int k = 0; k < choice.neochordae; ++k) {
-    const double usual =
-        std::clamp(std::round(lesion_->length_mm), kUsualNeochordaMm.min, kUsualNeochordaMm.max);
+    const double usual = std::clamp(std::round(lesions_[k % lesions_.size()].length_mm),
+                                    kUsualNeochordaMm.min, kUsualNeochordaMm.max);
     parameters.push_back(
         make_parameter(ParameterOf::NeochordaLength, k,
                        {std::max(kUsualNeochordaMm.min, usual - kNeochordaScope_mm),
@@ -280,8 +318,8 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
     case LeafletChoice::None:
       break;
     case LeafletChoice::Triangular: {
-      const double most = lesion_->leaflet == Leaflet::Anterior ? kAnteriorTriangularMm.max
-                                                                : kTriangularWidths_mm.max;
+      const double most = lesions_.front().leaflet == Leaflet::Anterior ? kAnteriorTriangularMm.max
+                                                                        : kTriangularWidths_mm.max;
       parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0,
                                           {kTriangularWidths_mm.min, most}, kLeafletWidthStep_mm,
                                           kFirstResection_mm));
@@ -360,9 +398,16 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
     const auto& anchor = index == 0 ? choice.anterolateral : choice.posteromedial;
     if (anchor) add_suture(plan, base, side_of(index), *anchor, movement[index], place[index]);
   }
-  for (int k = 0; k < choice.neochordae; ++k) {
-    const double usual = lesion_->middle + kSpacing * (k - 0.5 * (choice.neochordae - 1));
-    Neochorda step = neochorda_at(valve_, coordinates_, *lesion_, usual + shift[k]);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(choice.neochordae); ++k) {
+    // In turn on either leaflet, over the whole lesion.
+    const std::size_t lesions = lesions_.size();
+    const Lesion& lesion = lesions_[k % lesions];
+    const double count = static_cast<double>(choice.neochordae / lesions);
+    const double spacing =
+        count > 1.0 ? std::max(kSpacing, 2.0 * lesion.reach / (count - 1.0)) : kSpacing;
+    const double nth = static_cast<double>(k / lesions);
+    const double usual = lesion.middle + spacing * (nth - 0.5 * (count - 1.0));
+    Neochorda step = neochorda_at(valve_, coordinates_, lesion, usual + shift[k]);
     step.length_mm = length[k];
     plan.steps.emplace_back(step);
   }
@@ -376,21 +421,23 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
         plan.steps.emplace_back(ChordalExcision{id(chorda)});
       break;
     case ChordalChoice::Shorten:
-      for (const int chorda : chordae_beside(valve_, coordinates_, *lesion_, kShortened))
+      for (const int chorda : chordae_beside(valve_, coordinates_, lesions_.front(), kShortened))
         plan.steps.emplace_back(ChordalLengthChange{id(chorda), -shortening});
       break;
     case ChordalChoice::Transfer:
-      plan.steps.emplace_back(ChordalTransfer{id(chorda_opposite(valve_, coordinates_, *lesion_)),
-                                              {lesion_->leaflet, lesion_->middle, 1.0}});
+      plan.steps.emplace_back(
+          ChordalTransfer{id(chorda_opposite(valve_, coordinates_, lesions_.front())),
+                          {lesions_.front().leaflet, lesions_.front().middle, 1.0}});
       break;
   }
   return plan;
 }
 
-Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules) {
+Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules,
+                                    const std::optional<Diagnosis>& diagnosis) {
   if (Errors errors = check_rules(valve, rules); !errors.empty()) return errors;
   if (Errors errors = check_fitted_parameters(valve); !errors.empty()) return errors;
-  PlanSpace space(valve, rules);
+  PlanSpace space(valve, rules, diagnosis);
   if (!space.branches().empty()) return space;
   std::string why;
   for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;

@@ -1,17 +1,19 @@
 // All plans that a search may try: branches (discrete decisions, made by rules) and within each a
 // lattice of sizes, lengths and places.
 //
-//   ring              none; the own shape 1 to 4 sizes below; each catalogue shape and each of
-//                     SearchRules::shapes, its sizes 0 to 4 below
-//   papillary suture  to trigone, saddle peak or a free point of the annulus, for a displaced
+//   no operation      if the valve is competent, or may be
+//   ring              none; of the catalogue 3 : 4 for every valve, shorter ones for tethered leaflets, and each of
+//                     SearchRules::shapes, its sizes 0 to 4 below; the own shape 1 to 4 sizes below, on request
+//   papillary suture  where leaflets are tethered, to trigone, saddle peak or a free point of the anterior annulus, for a displaced
 //                     muscle: its tip further from its trigone than mean + sd of normal hearts
 //                     (23.5, 3.8 mm; n = 57); first moved to where that mean is
-//   neochordae        0 to 4 where marginal chordae are ruptured (3.6 per patient), each with its
+//   neochordae        0 to 4 where segments prolapse (3.6 per patient), as many on either leaflet if both do, each with its
 //                     place and length
 //   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one
 //                     transferred
-//   leaflet           on request, at a lesion: a triangular resection; of the posterior leaflet also a
+//   leaflet           on request, at the highest lesion: a triangular resection; of the posterior leaflet also a
 //                     quadrangular one with sliding; a clip from edge to edge; each with its width
+// Without a diagnosis every ring and suture is offered, and neochordae where marginal chordae are ruptured.
 // Sizes and movements, not lengths, are the axes: a suture's length follows from how far the muscle
 // is to move under that ring, on the lattice of what can be tied.
 #pragma once
@@ -34,10 +36,10 @@ struct CutBranches {
 class PlanSpace {
  public:
   /// @pre check_rules() is empty.
-  PlanSpace(const Valve& valve, const SearchRules& rules);
+  PlanSpace(const Valve& valve, const SearchRules& rules,
+            const std::optional<Diagnosis>& diagnosis = {});
 
-  /// Fewest steps first, then in a fixed order; empty if nothing is left to decide. Doing nothing
-  /// at all is no branch.
+  /// Fewest steps first, then in a fixed order; empty if nothing is left to decide.
   const std::vector<Branch>& branches() const { return branches_; }
   const std::vector<CutBranches>& cut() const { return cut_; }
 
@@ -51,6 +53,8 @@ class PlanSpace {
     Valve valve;
   };
   const Ringed* ringed(const std::string& shape, double size) const;
+  bool is_indicated(CarpentierType type) const;
+  bool is_competent() const;
   std::vector<std::string> offer_rings();
   std::vector<std::optional<Anchor>> offer_anchors(Side side);
   std::vector<int> offer_neochordae();
@@ -65,13 +69,16 @@ class PlanSpace {
   Valve valve_;
   SearchRules rules_;
   LeafletCoordinates coordinates_;
-  std::optional<Lesion> lesion_;
+  std::optional<Diagnosis> diagnosis_;
+  std::vector<Lesion> lesions_;
   std::map<std::pair<std::string, int>, Ringed> ringed_;  // by shape and size in half millimetres
   std::vector<Branch> branches_;
   std::vector<CutBranches> cut_;
 };
 
 /// Errors are those of check_rules(), or that the rules leave no plan to try, and why.
-Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules);
+/// @param diagnosis of the valve: what is indicated; none: everything is offered
+Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules,
+                                    const std::optional<Diagnosis>& diagnosis = {});
 
 }  // namespace coapt

@@ -1,6 +1,7 @@
 #include "search/plans/ranking.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,16 +12,16 @@
 #include "core/repair/approximation.h"
 #include "core/repair/describe.h"
 #include "core/valve/number_text.h"
+#include "search/plans/acceptance.h"
 #include "search/plans/closure_gates.h"
 #include "search/plans/durability.h"
-#include "search/plans/outranking.h"
 #include "search/plans/pareto.h"
+#include "search/plans/plan_order.h"
 #include "search/plans/strength_gates.h"
 
 namespace coapt {
 namespace {
 
-constexpr int kBeforeTheRegion = 65;  // nodes by which reported plans are taken from the finalists
 constexpr double kOftenFailing = 0.05;  // of the region's closures: then its figures mean little
 
 std::vector<double> costs_of(const PlanEvaluations& evaluations,
@@ -39,14 +40,16 @@ bool close_up_to(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& p
   return evaluations.close(wanted, PlanEvaluations::Phase::Ranking);
 }
 
-/// Nodes that all plans have closed, counted from the first.
+/// Nodes that it has closed, counted from the first; those that all plans have.
+int nodes_of(const PlanRecord& plan) {
+  int nodes = 0;
+  while (nodes < kRegion.count && plan.closures.contains(nodes)) ++nodes;
+  return nodes;
+}
+
 int common_nodes(const std::vector<PlanRecord*>& plans) {
   int common = kRegion.count;
-  for (const PlanRecord* plan : plans) {
-    int nodes = 0;
-    while (nodes < common && plan->closures.contains(nodes)) ++nodes;
-    common = nodes;
-  }
+  for (const PlanRecord* plan : plans) common = std::min(common, nodes_of(*plan));
   return common;
 }
 
@@ -56,21 +59,74 @@ bool all_durabilities_known(const std::vector<PlanRecord*>& plans) {
                      [](const PlanRecord* plan) { return durability(*plan).has_value(); });
 }
 
-void keep_cheapest(const PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
-                   int count) {
-  if (nodes == 0) {  // nothing is known of some: in the order found
-    if (std::ssize(plans) > count) plans.resize(count);
-    return;
-  }
-  const bool durable = all_durabilities_known(plans);
-  const auto cost = [&](const PlanRecord& plan) {
-    return evaluations.cost(plan, nodes) +
-           (durable ? price(durability_terms(*durability(plan)), evaluations.context().weights)
-                    : 0.0);
-  };
-  std::stable_sort(plans.begin(), plans.end(),
-                   [&](const PlanRecord* a, const PlanRecord* b) { return cost(*a) < cost(*b); });
-  if (std::ssize(plans) > count) plans.resize(count);
+/// Every rule of practice, and what it says of the plan.
+std::vector<Gate> gates_of(const PlanEvaluations& evaluations, const PlanRecord& record,
+                           const Valve& repaired, const Evaluation& closed) {
+  std::vector<Gate> gates = operation_gates({record.plan, evaluations.valve(), repaired});
+  for (const std::vector<Gate>& more :
+       {opening_gates(record.opening), closure_gates(closed, evaluations.before()),
+        strength_gates(record)})
+    gates.insert(gates.end(), more.begin(), more.end());
+  return gates;
+}
+
+/// Warnings that another plan may well do without.
+int avoidable_warnings(const std::vector<Gate>& gates) {
+  static constexpr std::array kAvoidable = {
+      "filling",       "systolic_anterior_motion", "ring_stenosis", "opening_area",
+      "mean_gradient", "papillary_movement",       "undersizing",   "ring_width"};
+  return static_cast<int>(std::count_if(gates.begin(), gates.end(), [](const Gate& gate) {
+    return gate.severity == GateSeverity::Warn &&
+           std::find(kAvoidable.begin(), kAvoidable.end(), gate.rule) != kAvoidable.end();
+  }));
+}
+
+/// By what is known of it so far. @pre closed as planned
+PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& record, int nodes,
+                     const std::vector<Gate>& gates, bool durable, const Acceptance& acceptance) {
+  PlanMerits merits;
+  const RegionReport region = region_report(record, nodes);
+  merits.trusted = trusted(record.closures.at(0));
+  merits.fails_often = region.failures > kOftenFailing * region.closures;
+  merits.rejected = !record.rejected_by.empty();
+  merits.stenotic = is_stenotic(record.opening);
+  merits.acceptable_probability = acceptance.mean();
+  merits.avoidable_warnings = avoidable_warnings(gates);
+  if (durable) merits.durability_mm = durability(record)->expected_mm;
+  if (record.opening && trusted(*record.opening))
+    merits.gradient_mmhg = record.opening->measure.gradient_mmhg;
+  merits.steps = record.effort.steps;
+  merits.muscles = (suture_of(record.plan, Side::Anterolateral) != nullptr ? 1 : 0) +
+                   (suture_of(record.plan, Side::Posteromedial) != nullptr ? 1 : 0);
+  merits.sizes_below = record.effort.sizes_below;
+  merits.leak_mm2 =
+      nodes > 1 ? region.leak_mm2.mean + region.leak_mm2.sd : record.closures.at(0).leak_mm2;
+  merits.cost = evaluations.cost(record, nodes);
+  if (durable)
+    merits.cost += price(durability_terms(*durability(record)), evaluations.context().weights);
+  return merits;
+}
+
+/// The first `count` by the rule that ranks, over these nodes.
+void keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
+               const SearchOptions& options) {
+  if (std::ssize(plans) <= options.plans) return;
+  if (nodes > 0) {
+    const bool durable = all_durabilities_known(plans);
+    std::vector<PlanMerits> merits;
+    for (const PlanRecord* plan : plans) {
+      const Expected<Valve> repaired = apply_plan(evaluations.valve(), plan->plan);
+      const std::vector<Gate> gates =
+          gates_of(evaluations, *plan, *repaired, evaluations.closed(*plan).evaluation);
+      merits.push_back(merits_of(evaluations, *plan, nodes, gates, durable,
+                                 acceptance_of(evaluations, *plan, nodes, {}, {})));
+    }
+    std::vector<PlanRecord*> order;
+    for (const PlanPlace& place : order_of(merits, options.rank_by_price))
+      order.push_back(plans[place.index]);
+    plans = order;
+  }  // else nothing is known of some: in the order found
+  plans.resize(options.plans);
 }
 
 std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
@@ -97,92 +153,18 @@ int disease_closures_left(const PlanRecord& plan) {
   return durability(plan) ? 0 : left;
 }
 
-bool fails_often(const RankedPlan& plan) {
-  return plan.region.failures > kOftenFailing * plan.region.closures;
-}
-
-/// What decides between two plans.
-struct Standing {
-  bool trusted = true, fails_often = false, stenotic = false, robust = false;
-  double cost = 0.0;
-};
-
-/// `leak_mm2` and `cost`: more than on its own material.
-Standing standing(const RankedPlan& plan, double leak_mm2, double cost) {
-  return {trusted(plan), fails_often(plan), is_stenotic(plan.opening),
-          closes_robustly(plan, leak_mm2),
-          plan.cost + plan.fine_cost_change + plan.durability_price + cost};
-}
-
-bool is_better(const Standing& a, const Standing& b) {
-  if (a.trusted != b.trusted) return a.trusted;
-  if (a.fails_often != b.fails_often) return b.fails_often;
-  if (a.stenotic != b.stenotic) return b.stenotic;
-  if (a.robust != b.robust) return a.robust;
-  return a.cost < b.cost;
-}
-
 using Ranked = std::pair<RankedPlan, const PlanRecord*>;
-
-/// By their own mesh, then by the finer one if all are closed there; keeps both places.
-void sort_plans(const PlanEvaluations& evaluations, const FineClosures& fine,
-                std::vector<Ranked>& order) {
-  const auto sort = [&] {
-    std::stable_sort(order.begin(), order.end(), [](const Ranked& a, const Ranked& b) {
-      return is_better(standing(a.first, 0.0, 0.0), standing(b.first, 0.0, 0.0));
-    });
-  };
-  sort();
-  if (fine.plans.size() == order.size()) {
-    int place = 0;
-    for (auto& [plan, record] : order) {
-      plan.own_mesh_rank = ++place;
-      const CostTerms change = fine_change(evaluations, *record, fine);
-      plan.fine_cost_change = price(change, evaluations.context().weights);
-      plan.terms.amounts += change.amounts;
-    }
-    sort();
-  }
-  int place = 0;
-  for (auto& [plan, record] : order) plan.rank = ++place;
-}
-
-/// The share of draws in which the plan is ahead of the next; equals count half. NaN where no draw
-/// has both closed and trusted.
-double share_ahead(const PlanEvaluations& evaluations, const ModelClosures& model, const Ranked& a,
-                   const Ranked& b) {
-  double ahead = 0.0;
-  int compared = 0;
-  for (int draw = 0; draw < std::ssize(model.before); ++draw) {
-    const DrawnChange of_a = change_in_draw(evaluations, *a.second, model, draw);
-    const DrawnChange of_b = change_in_draw(evaluations, *b.second, model, draw);
-    if (!of_a.trusted || !of_b.trusted) continue;
-    ++compared;
-    const Standing there_a = standing(a.first, of_a.leak_mm2, of_a.cost);
-    const Standing there_b = standing(b.first, of_b.leak_mm2, of_b.cost);
-    ahead += is_better(there_a, there_b) ? 1.0 : is_better(there_b, there_a) ? 0.0 : 0.5;
-  }
-  return compared > 0 ? ahead / compared : std::numeric_limits<double>::quiet_NaN();
-}
-
-JudgedRecord judged(const PlanEvaluations& evaluations, const Ranked& ranked) {
-  const RankedPlan& plan = ranked.first;
-  const double opening =
-      plan.opening ? price(opening_terms(*plan.opening), evaluations.context().weights) : 0.0;
-  return {ranked.second, closes_finely(plan),
-          plan.fine_cost_change + plan.durability_price + opening};
-}
 
 /// What the fine mesh says against a plan whose own mesh does not.
 void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
   if (!plan.fine || closes_finely(plan) || !trusted(plan) ||
-      plan.measure.leak.area_mm2 >= kCompetentLeak_mm2)
+      plan.measure.leak.area_mm2 >= kMildLeak_mm2)
     return;
   const std::string there = "on " + std::to_string(mesh.triangles) + " triangles ";
   plan.warnings.push_back(!trusted(*plan.fine)
                               ? there + "its closure did not converge uncrossed"
                               : there + "it leaks " + with_decimals(plan.fine->leak_mm2, 1) +
-                                    " mm2: not called competent");
+                                    " mm2: not called acceptable");
 }
 
 /// @param durable the durability of all is known, and counts
@@ -202,7 +184,9 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.cost = price(plan.terms, evaluations.context().weights);
   plan.subset_nodes = std::min(nodes, kChosenBy);
   plan.subset_cost = evaluations.cost(record, plan.subset_nodes);
-  plan.region = region_report(record, nodes);
+  // More than are compared: the whole map of the first plan.
+  const int own = nodes_of(record);
+  plan.region = region_report(record, own > kBeforeTheRegion ? own : nodes);
   plan.region.leak_mm2.nominal = plan.region.independent_leak_mm2.nominal =
       plan.measure.leak.area_mm2;
   if (const auto drawn = closed_valve(*repaired, closed))
@@ -215,15 +199,11 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
     plan.durability_price = price(lost, evaluations.context().weights);
     plan.terms.amounts += lost.amounts;
   }
-  plan.gates = operation_gates({record.plan, evaluations.valve(), *repaired});
-  for (const std::vector<Gate>& gates :
-       {opening_gates(record.opening), closure_gates(evaluation, evaluations.before()),
-        strength_gates(record)})
-    plan.gates.insert(plan.gates.end(), gates.begin(), gates.end());
+  plan.gates = gates_of(evaluations, record, *repaired, evaluation);
   plan.warnings = warnings_of(plan.gates);
   if (record.opening && record.opening->behind_clip) plan.warnings.push_back(kUnknownBehindClip);
-  if (plan.region.leak_mm2.worst > kGoodRepair_mm2)
-    plan.warnings.push_back("leaks more than " + shown(kGoodRepair_mm2) +
+  if (plan.region.leak_mm2.worst > kMildLeak_mm2)
+    plan.warnings.push_back("leaks more than " + shown(kMildLeak_mm2) +
                             " mm2 somewhere in the region of interest");
   if (nodes > 1 && plan.region.failures > 0)
     plan.warnings.push_back(std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +
@@ -287,7 +267,7 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
       std::erase_if(finalists, [&](PlanRecord* plan) {
         return common_nodes({plan}) < std::min(most, kChosenBy);
       });
-      keep_cheapest(evaluations, finalists, common_nodes(finalists), options.plans);
+      keep_best(evaluations, finalists, common_nodes(finalists), options);
       return finalists;
     }
     if (closed > 1)
@@ -298,37 +278,67 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
     if (last_before && options.evidence)
       close_disease(evaluations, finalists, PlanEvaluations::Phase::Ranking);
     if (nodes >= std::min(kBeforeTheRegion, options.region_points))
-      keep_cheapest(evaluations, finalists, nodes, options.plans);
+      keep_best(evaluations, finalists, nodes, options);
   }
-  keep_cheapest(evaluations, finalists, closed, options.plans);
+  keep_best(evaluations, finalists, closed, options);
   if (options.evidence) close_evidence(evaluations, finalists);
   return finalists;
 }
 
+void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes) {
+  close_up_to(evaluations, {&plan}, nodes);
+}
+
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                             int most_nodes, const FineClosures& fine, const ModelClosures& model) {
-  const int nodes = std::min(most_nodes, common_nodes(plans));
+                             const SearchOptions& options, const FineClosures& fine,
+                             const ModelClosures& model) {
+  const int nodes = std::min(options.region_points, common_nodes(plans));
   if (nodes == 0) return {};
   const bool durable = all_durabilities_known(plans);
-  std::vector<Ranked> order;
-  for (const PlanRecord* plan : plans)
-    order.emplace_back(ranked(evaluations, *plan, nodes, fine, durable), plan);
-  sort_plans(evaluations, fine, order);
-  std::vector<const PlanRecord*> records;
-  for (const auto& [plan, record] : order) records.push_back(record);
+  const bool finely = fine.mesh.levels > 0 && fine.plans.size() == plans.size();
+  std::vector<Ranked> all;
+  std::vector<PlanMerits> merits, own_merits;
+  std::vector<Acceptance> acceptances;
+  for (const PlanRecord* record : plans) {
+    all.emplace_back(ranked(evaluations, *record, nodes, fine, durable), record);
+    RankedPlan& plan = all.back().first;
+    own_merits.push_back(merits_of(evaluations, *record, nodes, plan.gates, durable,
+                                   acceptance_of(evaluations, *record, nodes, {}, model)));
+    if (finely) {
+      const CostTerms change = fine_change(evaluations, *record, fine);
+      plan.fine_cost_change = price(change, evaluations.context().weights);
+      plan.terms.amounts += change.amounts;
+    }
+    acceptances.push_back(acceptance_of(evaluations, *record, nodes, fine, model));
+    merits.push_back(
+        merits_of(evaluations, *record, nodes, plan.gates, durable, acceptances.back()));
+    merits.back().cost += plan.fine_cost_change;
+    merits.back().closes_finely = closes_finely(plan);
+    plan.acceptable_probability = merits.back().acceptable_probability;
+    plan.is_acceptable = is_acceptable(merits.back());
+    if (const auto drawn = model.plans.find(record); drawn != model.plans.end())
+      plan.model = model_spread(drawn->second);
+  }
+  if (finely) {
+    int place = 0;
+    for (const PlanPlace& own : order_of(own_merits, options.rank_by_price))
+      all[own.index].first.own_mesh_rank = ++place;
+  }
+  const std::vector<PlanPlace> order = order_of(merits, options.rank_by_price);
   std::vector<RankedPlan> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    RankedPlan& plan = order[i].first;
-    if (const auto drawn = model.plans.find(records[i]); drawn != model.plans.end())
-      plan.model = model_spread(drawn->second);
-    if (i + 1 < order.size())
-      plan.share_of_draws_ahead = share_ahead(evaluations, model, order[i], order[i + 1]);
+    const auto [index, of_class] = order[i];
+    RankedPlan& plan = all[index].first;
+    plan.rank = static_cast<int>(i) + 1;
+    plan.of_class = of_class;
+    plan.simplest_of_class = i == 0 || order[i - 1].of_class != of_class;
+    const bool last = i + 1 == order.size();
+    plan.ties_with_next = !last && order[i + 1].of_class == of_class;
     plan.probability_outranks_next =
-        i + 1 < order.size() ? probability_ahead(evaluations, judged(evaluations, order[i]),
-                                                 judged(evaluations, order[i + 1]), nodes)
-                             : std::numeric_limits<double>::quiet_NaN();
+        last || nodes < 2 ? std::numeric_limits<double>::quiet_NaN()
+                          : probability_ahead(acceptances[index], acceptances[order[i + 1].index]);
+    result.push_back(std::move(plan));
   }
-  for (auto& [plan, record] : order) result.push_back(std::move(plan));
   mark_pareto(evaluations.context().weights, result);
   return result;
 }

@@ -11,6 +11,9 @@
 
 namespace coapt {
 
+/// Nodes over which reported plans are taken from the finalists, and ordered.
+inline constexpr int kBeforeTheRegion = 65;
+
 /// Finalists for each reported plan, where 17 nodes rank badly; else one less. One more each may come from the front (pareto.h).
 inline constexpr int kFinalists = 3;
 
@@ -31,13 +34,13 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
                                          const SearchOptions& options,
                                          std::vector<LadderStep>& ladder);
 
-/// Plans in order: those whose own closure failed come last, before them those with more than a
-/// twentieth of the region's closures failed, then those that open too little (is_stenotic());
-/// robustly closing ones first; then by cost, which counts failures, too, and the price of what they do not last. Over the nodes that all of them have closed, at most so many. Whether a
-/// plan closes robustly is asked of the fine closures, too; the cost is of its own mesh. Draws of
-/// the model change no rank: they say whether it holds.
+/// Closes a plan at so many nodes: its map.
+void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes);
+
+/// Plans in the order of plan_order.h, over the nodes that all of them have closed, at most options.region_points. Whether a plan is
+/// acceptable is asked of the fine closures and of draws of the model, too; the cost is of its own mesh.
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                             int most_nodes, const FineClosures& fine = {},
+                             const SearchOptions& options, const FineClosures& fine = {},
                              const ModelClosures& model = {});
 
 }  // namespace coapt

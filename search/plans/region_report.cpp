@@ -64,7 +64,7 @@ class Closures {
   }
   /// Whether it was closed and failed, or leaks more than a competent valve.
   bool leaks(int disturbance) const {
-    return at(disturbance) != nullptr && !(leak(disturbance) <= kCompetentLeak_mm2);
+    return at(disturbance) != nullptr && !(leak(disturbance) <= kTraceLeak_mm2);
   }
   bool any(const DisturbanceSet& set) const {
     for (int d = set.first; d < set.first + set.count; ++d)

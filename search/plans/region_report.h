@@ -22,7 +22,7 @@ struct LeakStatistics {
   double below_5 = 0.0, below_10 = 0.0, below_20 = 0.0;  ///< shares of the trusted nodes
 };
 
-/// How far the first node lies that leaks more than kCompetentLeak_mm2 (or whose closure failed),
+/// How far the first node lies that leaks more than kTraceLeak_mm2 (or whose closure failed),
 /// along each axis of the region alone, worst direction. As far as the region goes (1 mm, 5
 /// degrees) if none on that axis leaks, or only one at its end; 0 if the plan itself does. NaN
 /// where no node beside the plan itself is closed on that axis. Where few nodes of an axis are

@@ -20,6 +20,8 @@ struct SearchRules {
   std::vector<std::string> forbidden;
   /// Offered beside those of the catalogue, in all sizes; at most kMostShapes.
   std::vector<DesignedShape> shapes{};
+  /// The valve's own shape, smaller, which no maker has.
+  bool own_ring = false;
   int most_neochordae = 4;
   /// Of the marginal chordae beside a lesion.
   bool chordal_length_change = false;

@@ -34,7 +34,8 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      &SearchOptions::region_points,
      {1.0, 1089.0},
      "",
-     "Nodes of the region of interest, for each reported plan."},
+     "Nodes of the region of interest, of the first plan; the others have 65 at most. Of plans of "
+     "one's own: of each."},
     {"evidence", &SearchOptions::evidence, kAny, "",
      "Close the reported plans also under errors of single sutures and further remodelling."},
     {"openings", &SearchOptions::openings, kAny, "",
@@ -51,7 +52,10 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      {0.0, 200.0},
      "",
      "Draws of the model's own values (tissue, chordae), under which each reported plan is closed "
-     "as planned: a rank that does not survive them is called a tie; 0: none."},
+     "as planned: how likely it is to leak mildly counts them; 0: none."},
+    {"rank_by_price", &SearchOptions::rank_by_price, kAny, "",
+     "Acceptable plans in the order of their cost, instead of classes that their simplest plans "
+     "head."},
     {"seconds",
      &SearchOptions::seconds,
      {0.0, kMost},
@@ -76,6 +80,8 @@ constexpr OptionRow<SearchRules> kRules[] = {
      {0.0, 4.0},
      "",
      "Neochordae that a plan has at most."},
+    {"own_ring", &SearchRules::own_ring, kAny, "",
+     "Offers rings of the valve's own shape, which no maker has."},
     {"chordal_length_change", &SearchRules::chordal_length_change, kAny, "",
      "Allows shortening the marginal chordae beside a lesion."},
     {"chordal_excision", &SearchRules::chordal_excision, kAny, "",
@@ -92,7 +98,7 @@ constexpr OptionRow<SearchRules> kRules[] = {
      "Step between the lengths of a neochorda."},
     {"most_movement_mm",
      &SearchRules::most_movement_mm,
-     {2.0, 15.0},
+     {3.0, 15.0},
      " mm",
      "Of a papillary muscle: more than 10 is unusual."},
 };

@@ -20,7 +20,8 @@ struct SearchOptions {
   int threads = 0;
   /// How many ranked plans to report.
   int plans = 5;
-  /// Nodes of the region of interest, for each reported plan.
+  /// Nodes of the region of interest, of the first plan; the others have kBeforeTheRegion (ranking.h) at most. Of plans of one's own:
+  /// of each.
   int region_points = 1089;
   /// Close the reported plans also under errors of single sutures and further remodelling.
   bool evidence = true;
@@ -31,6 +32,8 @@ struct SearchOptions {
   /// Draws of the model's own values (model_draw.h) under which each reported plan is closed as
   /// planned; 0: none.
   int model_draws = 8;
+  /// Acceptable plans in the order of their cost, as weights price them, instead of that of plan_order.h.
+  bool rank_by_price = false;
   /// Stop earlier when this much time is gone, the last 40 % of it spent on ranking; 0: no limit.
   double seconds = 0.0;
   /// Stop searching after so many closures without a better plan; 0: never.

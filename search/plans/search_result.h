@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/closed/diagnosis.h"
 #include "search/plans/durability.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/gates.h"
@@ -51,15 +52,17 @@ struct RankedPlan {
   int own_mesh_rank = 0;
   /// As planned, under draws of the model; none without draws, or if the search was cancelled before.
   std::optional<ModelSpread> model;
-  /// Share of the draws in which it comes before the next plan, too (model_closures.h). NaN for the
-  /// last and without draws.
-  double share_of_draws_ahead = std::numeric_limits<double>::quiet_NaN();
   /// With the evidence; else none.
   std::optional<StartCheck> starts{};
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
-  /// That it truly comes before the next plan, by robust closing, then by cost: resampling the
-  /// nodes and the scatter of closures. NaN for the last. A tie if between 0.05 and 0.95.
+  /// That the valve leaks less than kMildLeak_mm2, over errors of the hand, tissue and mesh (acceptance.h).
+  double acceptable_probability = 0.0;
+  bool is_acceptable = false;  ///< plan_order.h
+  int of_class = 0;            ///< from 1: plans of one class cannot be told apart
+  bool simplest_of_class = false;
+  bool ties_with_next = false;  ///< of one class
+  /// That it is rightly before the next plan (acceptance.h). NaN for the last, and where one node was closed.
   double probability_outranks_next = 0.0;
   /// No other ranked plan is as good in mean + sd of the leak, opening and durability, and better in one (pareto.h).
   bool pareto = false;
@@ -95,6 +98,8 @@ struct SearchResult {
   std::optional<PlanOpening> opening_before{};
   /// The valve as it is, with its closure; null if the evaluator kept none.
   std::shared_ptr<const ClosedValve> closed_before;
+  /// Of the valve as it is; none if it does not close, or the evaluator kept no closure.
+  std::optional<Diagnosis> diagnosis;
   /// Best first, distinct in surgical terms.
   std::vector<RankedPlan> plans;
   /// What RankedPlan::fine is of.
@@ -105,8 +110,8 @@ struct SearchResult {
   bool draws_fit = false;      ///< each with other values of what a fit left uncertain
   std::optional<ModelSpread> before_under_draws;
   int model_closures = 0;  ///< made for these draws; `closures` does not count them
-  /// Whether a ranked plan closes the valve robustly.
-  bool any_competent = false;
+  /// Whether a ranked plan is acceptable.
+  bool any_acceptable = false;
   /// Of the search, at one closure a plan.
   std::vector<Progress> progress;
   /// What trying plans at random is expected to reach, likewise.
@@ -131,26 +136,11 @@ struct SearchResult {
 /// Converged, not crossed, its leak a number: as planned.
 bool trusted(const RankedPlan& plan);
 
-/// Whether nothing on the refined mesh speaks against the plan: it converges there without crossing
-/// and leaks less than kCompetentLeak_mm2, or no refinement was asked for.
+/// Whether nothing on the refined mesh speaks against the plan: it converges there without crossing and leaks less than
+/// kMildLeak_mm2, or no refinement was asked for.
 bool closes_finely(const RankedPlan& plan);
 
-/// Whether the plan closes the valve also when the surgeon's hand varies: it converges without
-/// crossing, so does every closure over its region of interest, and mean + sd of the leak is below
-/// kCompetentLeak_mm2; and the plan as planned converges uncrossed with a leak below it on the
-/// refined mesh, too, where fine_levels asks for that. False where nothing of the region but the
-/// plan itself was closed. `more_mm2`: leaks of the whole region are taken to be larger by this.
-bool closes_robustly(const RankedPlan& plan, double more_mm2 = 0.0);
-
-/// Whether the best-ranked plan does; false without plans.
-bool closes_robustly(const SearchResult& result);
-
-/// Whether draws of the model leave the plan's place before the next one: it stays ahead in more
-/// than 0.95 of them. True where nothing is known of draws.
-bool survives_draws(const RankedPlan& plan);
-
-/// Whether it is open which of a plan and the next is better: probability_outranks_next is from 0.05
-/// to 0.95, or the order does not survive draws of the model.
-bool ties_with_next(const RankedPlan& plan);
+/// Whether the best-ranked plan is acceptable; false without plans.
+bool is_acceptable(const SearchResult& result);
 
 }  // namespace coapt

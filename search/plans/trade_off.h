@@ -17,7 +17,7 @@ struct TradeOff {
 };
 
 /// A repair that practice accepts is better than this in leak and opening, and no worse in durability.
-inline constexpr TradeOff kWorstAccepted = {kGoodRepair_mm2, kStenosis_mm2, 0.0};
+inline constexpr TradeOff kWorstAccepted = {kMildLeak_mm2, kStenosis_mm2, 0.0};
 
 /// mean + sd over the first nodes of the region; of one node its leak. NaN if one is missing or failed.
 double region_leak_mm2(const PlanRecord& plan, int nodes);

@@ -66,7 +66,7 @@ Judged judge(const Expected<Valve>& valve, double& leak) {
   if (!trusted(closure)) return Judged::Untrusted;
   leak = measure_leak(*valve, closure.closed_mm).area_mm2;
   if (!std::isfinite(leak)) return Judged::Untrusted;
-  return leak <= kGoodRepair_mm2 ? Judged::Competent : Judged::Leaking;
+  return leak <= kMildLeak_mm2 ? Judged::Competent : Judged::Leaking;
 }
 
 /// Whether an anatomy is one to give a disease; counts it.

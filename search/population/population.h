@@ -86,7 +86,7 @@ struct PopulationMember {
   Aetiology aetiology = Aetiology::Ischaemic;
   AnatomyValues anatomy{};  ///< before disease
   LesionValues lesions{};
-  double leak_healthy_mm2 = 0.0;  ///< at most kGoodRepair_mm2
+  double leak_healthy_mm2 = 0.0;  ///< at most kMildLeak_mm2
   double leak_mm2 = 0.0;          ///< with the disease, more than that
   DrawCounts draws{};
 };

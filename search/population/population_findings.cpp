@@ -67,7 +67,7 @@ std::vector<CandidateMeans> candidate_means(const Records& records) {
       means.wins += capped_cost(candidate) <= cheapest_cost(*record);
       if (!std::isfinite(candidate.mean_mm2)) continue;
       leaks.push_back(candidate.mean_mm2);
-      means.competent += candidate.mean_mm2 <= kGoodRepair_mm2;
+      means.competent += candidate.mean_mm2 <= kMildLeak_mm2;
     }
     if (offered == 0) continue;
     means.cost = cost / offered;
@@ -123,7 +123,7 @@ std::vector<Undersizing> undersizing_of(const Records& records) {
       const CandidateRecord& candidate = of(*record, c);
       if (!is_closed(candidate) || !std::isfinite(candidate.mean_mm2)) continue;
       leaks.push_back(candidate.mean_mm2);
-      sizes.competent += candidate.mean_mm2 <= kGoodRepair_mm2;
+      sizes.competent += candidate.mean_mm2 <= kMildLeak_mm2;
     }
     sizes.closed = static_cast<int>(leaks.size());
     sizes.leak_mm2 = mean_interval(leaks);

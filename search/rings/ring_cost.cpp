@@ -26,7 +26,7 @@ double counted_leak(double leak_mm2) {
 }  // namespace
 
 double smooth_share_below(double leak_mm2) {
-  return std::isfinite(leak_mm2) ? 1.0 - above(leak_mm2, kGoodRepair_mm2, kLeakScale_mm2) : 0.0;
+  return std::isfinite(leak_mm2) ? 1.0 - above(leak_mm2, kMildLeak_mm2, kLeakScale_mm2) : 0.0;
 }
 
 double ring_cost(const RingOutcome& outcome, const RingWeights& weights) {
@@ -54,7 +54,7 @@ double ring_cost(const std::vector<RingOutcome>& outcomes, const RingWeights& we
 double share_below(const RingOutcome& outcome) {
   if (outcome.leaks_mm2.empty()) return 0.0;
   const auto below = std::count_if(outcome.leaks_mm2.begin(), outcome.leaks_mm2.end(),
-                                   [](double leak) { return leak < kGoodRepair_mm2; });
+                                   [](double leak) { return leak < kMildLeak_mm2; });
   return static_cast<double>(below) / static_cast<double>(outcome.leaks_mm2.size());
 }
 

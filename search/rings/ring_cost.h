@@ -22,14 +22,14 @@ struct RingWeights {
 /// Of the leak in RingWeights::leak_per_mm2; a closure that cannot be trusted counts as so much.
 inline constexpr double kMostLeak_mm2 = 100.0;
 
-/// A member's leak is below kGoodRepair_mm2: 1 or 0, smoothed over 1.5 mm2; of a closure that cannot be trusted 0.
+/// A member's leak is below kMildLeak_mm2: 1 or 0, smoothed over 1.5 mm2; of a closure that cannot be trusted 0.
 double smooth_share_below(double leak_mm2);
 
 /// Lower is better. Of one outcome; that of a ring is the mean over its members.
 double ring_cost(const RingOutcome& outcome, const RingWeights& weights = {});
 double ring_cost(const std::vector<RingOutcome>& outcomes, const RingWeights& weights = {});
 
-/// Share of an outcome's closures that are trusted and leak less than kGoodRepair_mm2.
+/// Share of an outcome's closures that are trusted and leak less than kMildLeak_mm2.
 double share_below(const RingOutcome& outcome);
 /// Mean of its leaks, each up to kMostLeak_mm2.
 double mean_leak_mm2(const RingOutcome& outcome);

@@ -42,7 +42,7 @@ double durability_of(const Evaluator& evaluate, const Ringed& ringed) {
     for (const int index : course.indices) {
       const auto [found, is_new] = record.closures.try_emplace(index);
       if (is_new) found->second = plan_closure(close_disturbed(evaluate, ringed, index));
-      if (!trusted(found->second) || found->second.leak_mm2 > kGoodRepair_mm2) break;
+      if (!trusted(found->second) || found->second.leak_mm2 > kMildLeak_mm2) break;
     }
   return most_durable_mm(record);
 }

@@ -17,7 +17,7 @@ void ask(const Valve& valve, const OpenTable& open_table, const AnchorQuestionOp
   OrificeTable table = open_table(valve);
   const Configuration undisturbed;
   const OrificeSample sample = table.at({&undisturbed, 1}).front();
-  scanned.competent = sample.trusted && sample.area_mm2 <= kGoodRepair_mm2;
+  scanned.competent = sample.trusted && sample.area_mm2 <= kMildLeak_mm2;
   if (scanned.competent)
     for (const Protocol protocol : options.protocols)
       for (const AnchorSummary& summary : summarise(

@@ -69,12 +69,12 @@ void walk_on(OrificeField& field, Walk& walk) {
       walk.least_mm2 = *area;
       walk.least_at_mm = walk.moved_mm;
     }
-    if (*area < kGoodRepair_mm2 && walk.step_mm == kCoarse_mm && walk.moved_mm > 0.0) {
+    if (*area < kMildLeak_mm2 && walk.step_mm == kCoarse_mm && walk.moved_mm > 0.0) {
       walk.moved_mm += kFine_mm - kCoarse_mm;
       walk.step_mm = kFine_mm;
       continue;
     }
-    walk.found.repaired = *area < kGoodRepair_mm2;
+    walk.found.repaired = *area < kMildLeak_mm2;
     if (walk.moved_mm + walk.step_mm > walk.most_mm()) walk.step_mm = kFine_mm;
     walk.ended = walk.found.repaired || walk.moved_mm + walk.step_mm > walk.most_mm();
     if (!walk.ended) walk.moved_mm += walk.step_mm;
@@ -125,7 +125,7 @@ RegionOrifice measure_region(const std::vector<double>& area_mm2,
   region.sd_mm2 = std::sqrt((area.array() - region.mean_mm2).square().mean());
   region.worst_mm2 = area.maxCoeff();
   region.leaking_share =
-      static_cast<double>((area.array() > kGoodRepair_mm2).count()) / static_cast<double>(n);
+      static_cast<double>((area.array() > kMildLeak_mm2).count()) / static_cast<double>(n);
   Eigen::MatrixXd offset(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Perturbation& node = nodes[i];
@@ -200,7 +200,7 @@ ApproximationStudy study_approximation(OrificeTable& table, Protocol protocol,
     found.movement_mm = walk.moved_mm;
     found.suture_mm = (walk.anchor_mm - found.position_mm).norm();
     found.area_mm2 = *there;
-    found.repaired = *there < kGoodRepair_mm2;
+    found.repaired = *there < kMildLeak_mm2;
     found.region = measure_region(areas, nodes, found.suture_mm);
     found.region.clamped_share = static_cast<double>(outside) / static_cast<double>(nodes.size());
   });

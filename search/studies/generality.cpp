@@ -20,7 +20,7 @@ constexpr int kMostDrawnFactor = 50;  // gives up after so many times the count
 
 bool competent(const Valve& valve) {
   const ClosureResult closure = close_valve(valve);
-  return trusted(closure) && measure_leak(valve, closure.closed_mm).area_mm2 <= kGoodRepair_mm2;
+  return trusted(closure) && measure_leak(valve, closure.closed_mm).area_mm2 <= kMildLeak_mm2;
 }
 
 }  // namespace

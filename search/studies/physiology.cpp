@@ -393,7 +393,7 @@ PhysiologyValues physiology_values(const Valve& valve, const PhysiologyOptions& 
 }
 
 ValveKind kind_of(const Valve& valve, const PhysiologyValues& values) {
-  if (values.leak_mm2 < kGoodRepair_mm2) return ValveKind::Healthy;
+  if (values.leak_mm2 < kMildLeak_mm2) return ValveKind::Healthy;
   const bool ruptured =
       std::any_of(valve.chordae.begin(), valve.chordae.end(),
                   [](const Chorda& c) { return c.ruptured && c.kind == ChordaKind::Marginal; });

@@ -123,8 +123,10 @@ inline RankedPlan first() {
   plan.fine_cost_change = 1.5;
   plan.own_mesh_rank = 2;
   plan.model = ModelSpread{8, 1, 0.9, 1.2, 3.5};
-  plan.share_of_draws_ahead = 1.0;
-  plan.probability_outranks_next = 0.62;
+  plan.acceptable_probability = 0.98;
+  plan.is_acceptable = plan.simplest_of_class = plan.ties_with_next = true;
+  plan.of_class = 1;
+  plan.probability_outranks_next = 0.5;
   plan.pareto = true;
   return plan;
 }
@@ -151,6 +153,9 @@ inline RankedPlan second() {
   plan.region.indices = {{0.18, 0.41, 0.3}, {0.2, 0.47, 0.36}};
   plan.region.independent_leak_mm2 = {1.9, 2.9, 1.5, 5.8, 9.9, 0.9, 1.0, 1.0};
   plan.gates = gates(0.0);
+  plan.acceptable_probability = 0.96;
+  plan.is_acceptable = true;
+  plan.of_class = 1;
   plan.probability_outranks_next = 0.999;
   plan.pareto = true;
   return plan;
@@ -180,6 +185,8 @@ inline RankedPlan third() {
   plan.region.indices = {{kUnknown, kUnknown, kUnknown}, {kUnknown, kUnknown, kUnknown}};
   plan.gates = gates(16.2);
   plan.warnings = warnings_of(plan.gates);
+  plan.of_class = 2;
+  plan.simplest_of_class = true;
   plan.probability_outranks_next = kUnknown;
   return plan;
 }
@@ -196,7 +203,7 @@ inline SearchResult search_result() {
   result.model_draws = 8;
   result.before_under_draws = ModelSpread{8, 0, 50.0, 12.5, 71.0};
   result.model_closures = 32;
-  result.any_competent = true;
+  result.any_acceptable = true;
   result.progress = {{1, 231.0}, {2, 96.0},  {5, 41.0}, {14, 17.5},
                      {60, 9.9},  {212, 7.4}, {980, 6.3}};
   result.random_progress = {{1, 240.0}, {10, 61.0}, {100, 22.0}, {1000, 11.5}, {2000, 10.2}};
@@ -231,6 +238,7 @@ inline SearchRequest search_request() {
   options.plans = 3;
   options.region_points = 729;
   options.evidence = false;
+  options.rank_by_price = true;
   options.fine_levels = 2;
   options.model_draws = 16;
   options.seconds = 600.5;
@@ -239,6 +247,7 @@ inline SearchRequest search_request() {
   options.rules.fixed.steps = {Annuloplasty{CatalogueRing{"generic-classic", 30.0}}};
   options.rules.forbidden = {"chordal_transfer", "papillary_approximation:saddle_peak"};
   options.rules.most_neochordae = 2;
+  options.rules.own_ring = true;
   options.rules.chordal_length_change = true;
   options.rules.chordal_excision = true;
   options.rules.chordal_transfer = true;

@@ -184,7 +184,7 @@ TEST(Golden, ASearchHasItsBits) {
   options.evidence = false;
   const auto result = search_plans(*make_preset("human-functional-mr", 300), options, {});
   ASSERT_TRUE(result);
-  EXPECT_EQ(bits_of(*result), Bits{0x637199340a3defd});
+  EXPECT_EQ(bits_of(*result), Bits{0x70a60bdf754a21ad});
 }
 
 }  // namespace

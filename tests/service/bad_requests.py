@@ -9,6 +9,7 @@ from wire import Wrong, abandon, expect, head, post, send
 BODIES = (
     "/v1/closures",
     "/v1/openings",
+    "/v1/diagnoses",
     "/v1/physiology",
     "/v1/kept-plans",
     "/v1/evaluations",

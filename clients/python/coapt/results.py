@@ -83,7 +83,7 @@ class SearchResult:
     plans: tuple[RankedPlan, ...]
     """Best first."""
     any_competent: bool
-    """Whether one of them closes the valve robustly: see RankedPlan.closes_robustly."""
+    """Whether one of them is acceptable: see RankedPlan.closes_robustly."""
     stop: str
     """Why the search ended: evaluation_limit, exhausted, no_improvement, target_reached, time_limit or cancelled."""
     closures: int

@@ -84,6 +84,17 @@ class ShortWork(Asking):
         options = given(pressure_mmhg=pressure_mmhg, flow_ml_s=flow_ml_s, exercise=exercise)
         return Opening.from_json(self._ask("/v1/openings", valve, repair_of(plan, frames=frames, **options)).json())
 
+    def diagnose(self, valve: Valve, plan: PlanSource | None = None) -> dict[str, Any]:
+        """Why a valve, repaired if there is a plan, leaks (coapt.diagnosis/1): "competent", Carpentier's "type", "segments" with a
+        "finding" each, and a "sentence".
+
+        >>> diagnosis = client.diagnose("human-p2-prolapse")
+        >>> diagnosis["type"], [segment["name"] for segment in diagnosis["segments"] if segment["finding"] == "flail"]
+        ('II', ['P2'])
+        """
+        diagnosis: dict[str, Any] = self._ask("/v1/diagnoses", valve, repair_of(plan)).json()
+        return diagnosis
+
     def physiology(
         self,
         valve: Valve,

@@ -29,6 +29,7 @@ TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
                                                      "revision",
                                                      "notice",
                                                      "before",
+                                                     "diagnosis",
                                                      "any_competent",
                                                      "plans",
                                                      "fine_mesh",
@@ -83,7 +84,9 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "margin_to_leak",
                                              "pareto",
                                              "probability_outranks_next",
-                                             "share_of_draws_ahead",
+                                             "acceptable_probability",
+                                             "class",
+                                             "simplest_of_class",
                                              "tie_with_next",
                                              "subset",
                                              "closes_robustly",
@@ -127,7 +130,7 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
             R"({"levels":1,"triangles":2592,"leak_before_mm2":47.25,"closures":4})");
   const Json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["closes_robustly"], true);
-  EXPECT_EQ(plans[1]["closes_robustly"], false);
+  EXPECT_EQ(plans[2]["closes_robustly"], false);
   EXPECT_EQ(plans[0]["fine"].dump(),
             R"({"triangles":2592,"status":"converged","crossing":false,)"
             R"("leak_mm2":0.4,"leak_mm2_error":null,"cost":7.92,"own_mesh_rank":2})");
@@ -154,28 +157,12 @@ TEST(PlansJson, APlanStatesItsLeakUnderDrawsOfTheModel) {
   const Json& plans = scene()["plans"];
   EXPECT_EQ(plans[0]["under_draws"].dump(),
             R"({"failures":1,"leak_mm2":{"mean":0.9,"sd":1.2,"worst":3.5}})");
-  EXPECT_EQ(plans[0]["share_of_draws_ahead"], 1.0);
   EXPECT_TRUE(plans[1]["under_draws"].is_null());
-  EXPECT_TRUE(plans[1]["share_of_draws_ahead"].is_null());
   SearchResult result = search_result();
   result.model_draws = result.model_closures = 0;
   result.before_under_draws.reset();
   EXPECT_EQ(written(to_json(result))["model_draws"].dump(),
             R"({"draws":0,"before":null,"closures":0,"chordae_drawn":false,"fit_drawn":false})");
-}
-
-TEST(PlansJson, ARankThatDrawsOfTheModelDoNotLeaveIsATie) {
-  RankedPlan plan;
-  plan.probability_outranks_next = 0.99;
-  for (const auto& [share, tie] : {std::pair{1.0, false},
-                                   {0.96, false},
-                                   {0.95, true},
-                                   {0.5, true},
-                                   {0.0, true},
-                                   {plans_scene::kUnknown, false}}) {
-    plan.share_of_draws_ahead = share;
-    EXPECT_EQ(ties_with_next(plan), tie) << share;
-  }
 }
 
 TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {
@@ -227,20 +214,16 @@ TEST(PlansJson, RemodellingIsByDirectionAndMillimetre) {
 
 TEST(PlansJson, ATieIsSaidAndTheLastPlanHasNoneToOutrank) {
   const Json& plans = scene()["plans"];
-  EXPECT_EQ(plans[0]["probability_outranks_next"], 0.62);
+  EXPECT_EQ(plans[0]["probability_outranks_next"], 0.5);
+  EXPECT_EQ(plans[0]["acceptable_probability"], 0.98);
+  EXPECT_EQ(plans[0]["class"], 1);
+  EXPECT_EQ(plans[1]["class"], 1);
+  EXPECT_EQ(plans[0]["simplest_of_class"], true);
+  EXPECT_EQ(plans[1]["simplest_of_class"], false);
   EXPECT_EQ(plans[0]["tie_with_next"], true);
   EXPECT_EQ(plans[1]["tie_with_next"], false);
   EXPECT_TRUE(plans[2]["probability_outranks_next"].is_null());
   EXPECT_EQ(plans[2]["tie_with_next"], false);
-}
-
-TEST(PlansJson, ATieIsFrom5To95Percent) {
-  RankedPlan plan;
-  for (const auto& [probability, tie] :
-       {std::pair(0.0, false), {0.049, false}, {0.051, true}, {0.95, true}, {0.951, false}}) {
-    plan.probability_outranks_next = probability;
-    EXPECT_EQ(ties_with_next(plan), tie) << probability;
-  }
 }
 
 TEST(PlansJson, WhatIsNotKnownIsNull) {

@@ -112,7 +112,7 @@ TEST(SearchOptionsJson, ProblemsOfFixedStepsAreListedWhereTheyAre) {
 TEST(SearchOptionsJson, AProblemSaysWhatIsAccepted) {
   EXPECT_EQ(message_at(R"({"evaluations": 0})", "/evaluations"), "is 0, must be from 1 to 1000000");
   EXPECT_EQ(message_at(R"({"rules": {"most_movement_mm": 16}})", "/rules/most_movement_mm"),
-            "is 16, must be from 2 to 15 mm");
+            "is 16, must be from 3 to 15 mm");
   EXPECT_EQ(
       message_at(R"({"weights": {"steps": 1}})", "/weights/steps"),
       "is not a field here, must be one of leak sd_share incompetence margin coaptation gap "

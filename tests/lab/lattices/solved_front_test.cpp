@@ -36,7 +36,7 @@ TEST(SolvedFront, EveryPlanHasItsPriceAndWhatPracticeAcceptsATradeOff) {
   int rejected = 0;
   for (const PlanOutcome& outcome : front.outcomes) {
     if (!outcome.trade_off) {
-      rejected += outcome.closures == 1 && outcome.leak_mm2 > kGoodRepair_mm2;
+      rejected += outcome.closures == 1 && outcome.leak_mm2 > kMildLeak_mm2;
       continue;
     }
     accepted.push_back(*outcome.trade_off);

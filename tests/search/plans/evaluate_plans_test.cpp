@@ -40,7 +40,7 @@ TEST(EvaluatePlans, RanksOwnPlansUnderTheirNames) {
   EXPECT_EQ(result->plans_tried, 4);
   EXPECT_EQ(result->closures, 1 + 4 * 17);
   EXPECT_EQ(result->before.measure.leak.area_mm2, 9.0);
-  EXPECT_FALSE(result->any_competent) << "1 mm2 is not below 1";
+  EXPECT_FALSE(result->any_acceptable) << "32 triangles do not tell 1 from 5 mm2";
 }
 
 TEST(EvaluatePlans, CostsAreThoseWorkedOutByHand) {
@@ -61,15 +61,14 @@ TEST(EvaluatePlans, PlansThatNoneBeatsAreMarked) {
   for (const RankedPlan& plan : result->plans) EXPECT_EQ(plan.pareto, plan.name != "al");
 }
 
-TEST(EvaluatePlans, ChancesAreEvenForTwinsAndOneForTheClearlyBetter) {
+TEST(EvaluatePlans, ChancesAreHighForTheClearlyBetter) {
   const auto leak = [](const Valve& valve) { return has_ring(valve) ? 12.0 : 2.0; };
   const auto result = evaluated(
       {{"worse", own_ring(1)}, {"al", kAnterolateral}, {"pm", kPosteromedial}}, leak_of(leak));
   ASSERT_TRUE(result);
   ASSERT_EQ(result->plans.size(), 3u);
   EXPECT_EQ(result->plans[2].name, "worse");
-  EXPECT_NEAR(result->plans[0].probability_outranks_next, 0.5, 0.1);
-  EXPECT_EQ(result->plans[1].probability_outranks_next, 1.0);
+  EXPECT_NEAR(result->plans[1].probability_outranks_next, 0.99, 0.01);
   EXPECT_TRUE(std::isnan(result->plans[2].probability_outranks_next));
 }
 
@@ -141,31 +140,6 @@ TEST(EvaluatePlans, AnImpossiblePlanIsAnErrorAtItsStep) {
   EXPECT_EQ(paths_of(evaluated({}, needs_suture)), (std::vector<std::string>{"/plans"}));
   EXPECT_EQ(paths_of(evaluated({}, needs_suture, 0)),
             (std::vector<std::string>{"/region_points", "/plans"}));
-}
-
-TEST(EvaluatePlans, APlanClosesRobustlyIfItsRegionDoes) {
-  const auto with = [](double mean, double sd, int failures, int closures) {
-    RankedPlan plan;
-    plan.measure.leak.area_mm2 = mean;
-    plan.region.leak_mm2.mean = mean;
-    plan.region.leak_mm2.sd = sd;
-    plan.region.failures = failures;
-    plan.region.closures = closures;
-    return plan;
-  };
-  EXPECT_TRUE(closes_robustly(with(0.5, 0.4, 0, 17)));
-  EXPECT_FALSE(closes_robustly(with(0.5, 0.6, 0, 17)));
-  EXPECT_FALSE(closes_robustly(with(0.0, 0.0, 1, 17)));
-  EXPECT_FALSE(closes_robustly(with(0.0, 0.0, 0, 1)));
-  RankedPlan crossed = with(0.0, 0.0, 0, 17);
-  crossed.crossing = true;
-  EXPECT_FALSE(closes_robustly(crossed));
-  SearchResult result;
-  EXPECT_FALSE(closes_robustly(result));
-  result.plans = {with(0.0, 0.0, 0, 17), crossed};
-  EXPECT_TRUE(closes_robustly(result));
-  result.plans = {crossed, with(0.0, 0.0, 0, 17)};
-  EXPECT_FALSE(closes_robustly(result));
 }
 
 }  // namespace

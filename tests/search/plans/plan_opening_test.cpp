@@ -68,7 +68,7 @@ TEST(PlanOpening, IsNotKnownBehindAClipAndRejectsNothing) {
   EvaluationScene scene(leak_of([](const Valve&) { return 0.5; }), std::move(options));
   PlanRecord* plan = &scene.closed(clip, 2);
   ASSERT_TRUE(scene.evaluations.open({&plan, 1}, PlanEvaluations::Phase::Searching));
-  EXPECT_EQ(rank(scene.evaluations, {plan}, 2)[0].warnings,
+  EXPECT_EQ(rank(scene.evaluations, {plan}, over_nodes(2))[0].warnings,
             std::vector<std::string>{kUnknownBehindClip});
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/rings.h"
+#include "core/valve/ruptures.h"
 #include "tests/scenes/small_preset.h"
 #include "tests/search/plans/search_scene.h"
 
@@ -27,8 +28,37 @@ Valve with_rupture() {
   return valve;
 }
 
+/// Of types, with segments that prolapse, the first most.
+Diagnosis diagnosis_of(std::vector<CarpentierType> types,
+                       const std::vector<Segment>& lesions = {}) {
+  Diagnosis diagnosis;
+  diagnosis.competent = types.empty();
+  diagnosis.types = std::move(types);
+  for (std::size_t s = 0; s < kScallops.size(); ++s) {
+    SegmentDiagnosis& segment = diagnosis.segments[s];
+    segment.segment = kScallops[s];
+    const auto found = std::find(lesions.begin(), lesions.end(), kScallops[s]);
+    if (found == lesions.end()) continue;
+    segment.finding = SegmentFinding::Prolapse;
+    segment.override_mm = 9.0 - static_cast<double>(found - lesions.begin());
+  }
+  return diagnosis;
+}
+
+std::set<std::string> rings_of(const PlanSpace& space) {
+  std::set<std::string> rings;
+  for (const Branch& branch : space.branches()) rings.insert(branch.choice.ring);
+  return rings;
+}
+
+bool has_suture(const PlanSpace& space) {
+  return std::any_of(space.branches().begin(), space.branches().end(), [](const Branch& branch) {
+    return branch.choice.anterolateral || branch.choice.posteromedial;
+  });
+}
+
 PlanSpace space_of(const Valve& valve, const SearchRules& rules = {}) {
-  return PlanSpace(valve, rules);
+  return PlanSpace(valve, rules, {});
 }
 
 SearchRules forbidding(std::vector<std::string> words) {
@@ -208,17 +238,17 @@ TEST(PlanSpace, RingsGoToFourSizesBelow) {
   }
 }
 
-TEST(PlanSpace, SuturesMoveTheMuscleByTwoToTenMillimetresInHalves) {
+TEST(PlanSpace, SuturesMoveTheMuscleByThreeToTenMillimetresInHalves) {
   const PlanSpace space = space_of(small_valve(), forbidding({"annuloplasty"}));
   const Branch& branch = space.branches().at(0);
   ASSERT_EQ(branch.parameters.size(), 1u);
-  EXPECT_EQ(branch.parameters[0].count, 17);
+  EXPECT_EQ(branch.parameters[0].count, 15);
   const auto length = [&](int at) {
     return std::get<PapillaryApproximation>(space.plan(branch, {at}).steps[0]).suture_length_mm;
   };
   // The tip is 28.6 mm from its trigone.
-  EXPECT_EQ(length(0), 26.5);
-  EXPECT_EQ(length(16), 18.5);
+  EXPECT_EQ(length(0), 25.5);
+  EXPECT_EQ(length(14), 18.5);
   EXPECT_EQ(length(branch.parameters[0].start), 23.5);
 }
 
@@ -294,6 +324,66 @@ TEST(PlanSpace, AValveThatTakesNoMoreChordaeGetsNone) {
   }
   const PlanSpace space = space_of(valve);
   for (const Branch& branch : space.branches()) EXPECT_LE(branch.choice.neochordae, 2);
+}
+
+TEST(Indication, ACompetentValveNeedsNoOperation) {
+  Diagnosis diagnosis = diagnosis_of({});
+  const PlanSpace space(small_valve(), {}, diagnosis);
+  ASSERT_EQ(space.branches().size(), 1u);
+  const Branch& nothing = space.branches()[0];
+  EXPECT_EQ(steps(nothing.choice), 0);
+  EXPECT_TRUE(space.plan(nothing, start_of(nothing)).steps.empty());
+  EXPECT_TRUE(is_cut(space, "every operation", "competent"));
+  diagnosis.competent_sure = false;
+  diagnosis.types = {CarpentierType::I};
+  EXPECT_GT(PlanSpace(small_valve(), {}, diagnosis).branches().size(), 1u) << "it offers both";
+  SearchRules fixed;
+  fixed.fixed = scene::own_ring(1);
+  EXPECT_GT(PlanSpace(small_valve(), fixed, diagnosis_of({})).branches().size(), 0u)
+      << "what was decided is done";
+}
+
+TEST(Indication, OnlyTetheredLeafletsGetSuturesAndShortRings) {
+  const PlanSpace tethered(small_valve(), {}, diagnosis_of({CarpentierType::IIIb}));
+  EXPECT_EQ(rings_of(tethered),
+            (std::set<std::string>{"", "generic-classic", "generic-etlogix-like",
+                                   "generic-geoform-like"}));
+  EXPECT_TRUE(has_suture(tethered));
+  for (const CarpentierType type : {CarpentierType::I, CarpentierType::II}) {
+    const PlanSpace others(small_valve(), {}, diagnosis_of({type}, {Segment::P2}));
+    EXPECT_EQ(rings_of(others), (std::set<std::string>{"", "generic-classic"}));
+    EXPECT_FALSE(has_suture(others));
+    EXPECT_TRUE(is_cut(others, "suture of the posteromedial muscle", "not tethered"));
+  }
+  Diagnosis unsure = diagnosis_of({CarpentierType::I});
+  unsure.not_ruled_out = CarpentierType::IIIb;
+  EXPECT_TRUE(has_suture(PlanSpace(small_valve(), {}, unsure)));
+}
+
+TEST(Indication, TheOwnShapeIsOfferedOnRequest) {
+  SearchRules rules;
+  rules.own_ring = true;
+  EXPECT_TRUE(
+      rings_of(PlanSpace(small_valve(), rules, diagnosis_of({CarpentierType::I}))).contains("own"));
+}
+
+TEST(Indication, NeochordaeGoToEveryLeafletThatProlapses) {
+  const Valve& valve = shared_preset("human-normal", 200);
+  const PlanSpace one(valve, {}, diagnosis_of({CarpentierType::II}, {Segment::P2}));
+  std::set<int> counts;
+  for (const Branch& branch : one.branches()) counts.insert(branch.choice.neochordae);
+  EXPECT_EQ(counts, (std::set{0, 1, 2, 3, 4}));
+  const PlanSpace two(valve, {}, diagnosis_of({CarpentierType::II}, {Segment::A2, Segment::P1}));
+  for (const Branch& branch : two.branches()) {
+    if (branch.choice.neochordae == 0) continue;
+    std::vector<Neochorda> neochordae;
+    for (const RepairStep& step : two.plan(branch, start_of(branch)).steps)
+      if (const auto* neochorda = std::get_if<Neochorda>(&step)) neochordae.push_back(*neochorda);
+    ASSERT_EQ(neochordae.size() % 2, 0u);
+    EXPECT_EQ(neochordae[0].insertion.leaflet, Leaflet::Anterior) << "the highest first";
+    EXPECT_EQ(neochordae[1].insertion.leaflet, Leaflet::Posterior);
+    EXPECT_LT(neochordae[1].insertion.along, 0.4) << "P1";
+  }
 }
 
 }  // namespace

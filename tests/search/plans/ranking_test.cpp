@@ -79,7 +79,7 @@ TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
   const auto stayed =
       close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, 9), ladder);
   ASSERT_EQ(stayed.size(), 3u);
-  const std::vector<RankedPlan> plans = rank(scene.evaluations, stayed, 17);
+  const std::vector<RankedPlan> plans = rank(scene.evaluations, stayed, over_nodes(17));
   ASSERT_EQ(plans.size(), 3u);
   for (const RankedPlan& plan : plans) {
     EXPECT_GE(plan.region.closures, 3);
@@ -87,11 +87,13 @@ TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
   }
 }
 
-TEST(Ranking, PlansComeInTheOrderOfTheirCosts) {
-  EvaluationScene scene(needs_suture);
+TEST(Ranking, OnRequestPlansComeInTheOrderOfTheirCosts) {
+  EvaluationScene scene(leak_of([](const Valve&) { return 0.0; }));
+  SearchOptions by_price = over_nodes(8);
+  by_price.rank_by_price = true;
   std::vector<PlanRecord*> plans = finalists_of(scene, 6);
   for (PlanRecord* plan : plans) scene.closed(plan->plan, 9);
-  const std::vector<RankedPlan> ranked = rank(scene.evaluations, plans, 8);
+  const std::vector<RankedPlan> ranked = rank(scene.evaluations, plans, by_price);
   ASSERT_EQ(ranked.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(ranked[i].rank, static_cast<int>(i) + 1);
@@ -104,31 +106,54 @@ TEST(Ranking, PlansComeInTheOrderOfTheirCosts) {
   }
 }
 
-TEST(Ranking, ARobustPlanComesBeforeACheaperOneThatIsNot) {
-  // The ring leaks nothing but at one node of nine; two sutures are dearer, and tight.
+TEST(Ranking, AnAcceptablePlanComesBeforeASimplerOneThatIsNot) {
+  // The ring leaks at three nodes of nine; two sutures are more work, and tight.
   PlanEvaluationOptions options = on_threads(1);
   const RepairPlan ring = own_ring(1);
   const RepairPlan sutures =
       both(suture(Side::Anterolateral, 19.0), suture(Side::Posteromedial, 19.0));
   for (int d = 0; d < 9; ++d) {
-    options.known[plan_key(ring)][d] = closure_leaking(d == 8 ? 2.5 : 0.0);
+    options.known[plan_key(ring)][d] = closure_leaking(d > 5 ? 30.0 : 0.0);
     options.known[plan_key(sutures)][d] = closure_leaking(0.0);
   }
   EvaluationScene scene(needs_suture, std::move(options));
   const std::vector<RankedPlan> ranked =
-      rank(scene.evaluations, {&scene.closed(ring, 9), &scene.closed(sutures, 9)}, 9);
+      rank(scene.evaluations, {&scene.closed(ring, 9), &scene.closed(sutures, 9)}, over_nodes(9));
   EXPECT_EQ(ranked[0].effort.steps, 2);
-  EXPECT_TRUE(closes_robustly(ranked[0]));
-  // Mean 0.28, sd 0.79: 1.06 mm2 together.
-  EXPECT_FALSE(closes_robustly(ranked[1]));
-  EXPECT_LT(ranked[1].cost, ranked[0].cost);
+  EXPECT_TRUE(ranked[0].is_acceptable);
+  EXPECT_GT(ranked[0].acceptable_probability, 0.95);
+  EXPECT_FALSE(ranked[1].is_acceptable);
+  EXPECT_LT(ranked[1].acceptable_probability, 0.7);
+  EXPECT_GT(ranked[1].acceptable_probability, 0.6);
+  EXPECT_GT(ranked[0].probability_outranks_next, 0.9);
+  EXPECT_FALSE(ranked[0].ties_with_next);
+}
+
+TEST(Ranking, OfPlansThatCannotBeToldApartTheSimplestIsFirst) {
+  EvaluationScene scene(leak_of([](const Valve&) { return 0.0; }));
+  const RepairPlan al = suture(Side::Anterolateral, 19.0), pm = suture(Side::Posteromedial, 19.0);
+  const std::vector<RankedPlan> ranked =
+      rank(scene.evaluations,
+           {&scene.closed(both(al, pm), 9), &scene.closed(own_ring(3), 9),
+            &scene.closed(own_ring(1), 9), &scene.closed(pm, 9)},
+           over_nodes(9));
+  EXPECT_EQ(plan_key(ranked[0].plan), plan_key(own_ring(1)))
+      << "a step, no muscle, less undersizing";
+  EXPECT_EQ(plan_key(ranked[1].plan), plan_key(own_ring(3)));
+  EXPECT_EQ(plan_key(ranked[2].plan), plan_key(pm));
+  EXPECT_EQ(ranked[3].effort.steps, 2);
+  for (const RankedPlan& plan : ranked) EXPECT_EQ(plan.of_class, 1);
+  EXPECT_TRUE(ranked[0].simplest_of_class && ranked[0].ties_with_next);
+  EXPECT_FALSE(ranked[1].simplest_of_class);
+  EXPECT_FALSE(ranked[3].ties_with_next) << "the last";
+  EXPECT_NEAR(ranked[0].probability_outranks_next, 0.5, 0.01);
 }
 
 TEST(Ranking, NoPlansAreRankedAsNone) {
   EvaluationScene scene(needs_suture);
   std::vector<LadderStep> ladder;
   EXPECT_TRUE(close_finalists(scene.evaluations, {}, options_of(3, 100), ladder).empty());
-  EXPECT_TRUE(rank(scene.evaluations, {}, 17).empty());
+  EXPECT_TRUE(rank(scene.evaluations, {}, over_nodes(17)).empty());
 }
 
 TEST(ParetoFront, HoldsWhatNothingElseBeatsCheapestFirst) {

@@ -97,8 +97,8 @@ TEST(Members, AreCompetentBeforeDiseaseLeakAfterItAndDoNotDependOnThreads) {
   for (const PopulationMember& drawn : population.members) {
     EXPECT_EQ(leak_of(*make_healthy_valve(drawn)), drawn.leak_healthy_mm2);
     EXPECT_EQ(leak_of(*make_valve(drawn)), drawn.leak_mm2);
-    EXPECT_LE(drawn.leak_healthy_mm2, kGoodRepair_mm2);
-    EXPECT_GT(drawn.leak_mm2, kGoodRepair_mm2);
+    EXPECT_LE(drawn.leak_healthy_mm2, kMildLeak_mm2);
+    EXPECT_GT(drawn.leak_mm2, kMildLeak_mm2);
     const DrawCounts& d = drawn.draws;
     EXPECT_EQ(d.anatomies - d.anatomies_invalid - d.anatomies_untrusted - d.anatomies_leaking -
                   d.anatomies_resistant,

@@ -55,7 +55,7 @@ Valve first_competent(std::uint64_t seed) {
         make_taut_valve(parametric_valve(anatomy_at(shares), "random-" + std::to_string(i)));
     if (!valve) continue;
     const ClosureResult closure = close_valve(*valve);
-    if (trusted(closure) && measure_leak(*valve, closure.closed_mm).area_mm2 <= kGoodRepair_mm2)
+    if (trusted(closure) && measure_leak(*valve, closure.closed_mm).area_mm2 <= kMildLeak_mm2)
       return *valve;
   }
 }

@@ -10,7 +10,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::size_t index_of(const DisplacementGrid& grid, int t, int p, int a) {
   return static_cast<std::size_t>((t * grid.nodes + p) * grid.nodes + a);
@@ -40,7 +40,7 @@ TEST(LargestOrifices, AreThoseAlongJustTheAxesNamed) {
 
 TEST(LargestOrifices, PassOverConfigurationsThatHaveNone) {
   DisplacementGrid grid = grid_of(Displaced::Both, 2, 6.0, [](const Vec3& d) { return d.sum(); });
-  grid.area_mm2[index_of(grid, 1, 1, 1)] = kNaN;
+  grid.area_mm2[index_of(grid, 1, 1, 1)] = kUnknown;
   EXPECT_EQ(largest_orifices(grid), (std::array<double, 7>{6, 6, 6, 12, 12, 12, 12}));
 }
 
@@ -129,7 +129,7 @@ RingStudy ring_study(const std::vector<double>& proper, const std::vector<double
 }
 
 TEST(RingRatios, SayNothingWhereTheProperSizeIsTight) {
-  const RingStudy study = ring_study({0.99, 1.0, 10.0, kNaN}, {5.0, 0.5, 4.0, 1.0});
+  const RingStudy study = ring_study({0.99, 1.0, 10.0, kUnknown}, {5.0, 0.5, 4.0, 1.0});
   const std::vector<double> ratios = ring_ratios(study, Displaced::Posteromedial, 3);
   ASSERT_EQ(ratios.size(), 4u);
   EXPECT_TRUE(std::isnan(ratios[0]));

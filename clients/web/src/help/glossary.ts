@@ -19,14 +19,14 @@ export const GLOSSARY = {
   error:
     'How far the area may be off because the mesh is coarse and the closure ends early; nine of ten valves of a comparison were nearer. It grows with the area. What tissue, imaging and pressure add is not in it.',
   margin: 'By how much a suture or a ring may be off before the valve leaks more than 1 mm².',
-  cost: 'What plans are ranked by: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation, too much tension, a gradient in diastole above 3 mmHg and further disease that the repair does not outlast; the closure as planned counts as on the finer mesh. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
+  cost: 'A price in mm² of leak, by which the search climbs and by which plans are ranked if you move the sliders: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation, too much tension, a gradient in diastole above 3 mmHg and further disease that the repair does not outlast; the closure as planned counts as on the finer mesh. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
   durability:
     'How far disease may go on, by the way of the posteromedial papillary tip, until the valve leaks more than 5 mm²: the mean over eight courses of 12 mm.',
   region:
     'The plan is closed many times with small errors of execution: lengths up to 1 mm and the direction of the papillary tips up to 5° off. Given are the mean and the standard deviation of the leak; 95 % of these closures leak less than the next column says.',
   pareto:
     'No other ranked plan is better in one of leak (mean + sd), opening in diastole and further disease that it bears without being worse in another of them.',
-  robust:
-    'Closes also with small errors of execution: the plan was closed many times with lengths and places a little off.',
+  acceptable:
+    'The repaired valve leaks less than 5 mm² with a probability of at least 95 %, over errors of execution, of the model’s own values and of the mesh, and on the finer mesh, too; no rule of practice rejects the plan, and the valve opens far enough.',
 } as const
 export type Term = keyof typeof GLOSSARY

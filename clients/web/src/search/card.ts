@@ -9,7 +9,7 @@ import { leakWords } from '../valve/headline'
 import { problemsOf, type Workspace } from '../workspace'
 import { downloadButton, meshDownload, reportLink, saveJson } from '../jobs/downloads'
 import { evidence } from './evidence'
-import { doubts, inWords, isRobust, marginWords, meanAndSd } from './figures'
+import { doubts, inWords, isAcceptable, marginWords, meanAndSd } from './figures'
 import type { Photos } from './photos'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -114,7 +114,7 @@ export function planCard(plan: RankedPlan, context: CardContext): HTMLElement {
 function badges(plan: RankedPlan): HTMLElement[] {
   const badge = (tone: string, ...words: Child[]) => h('span', { class: `${parts.badge} ${parts[tone]}` }, ...words)
   return [
-    isRobust(plan) ? badge('good', '✓ ', term('robust', 'robust')) : badge('warn', '! not shown to close robustly'),
+    isAcceptable(plan) ? badge('good', '✓ ', term('acceptable', 'acceptable')) : badge('warn', '! not acceptable'),
     ...(plan.tie_with_next ? [badge('soft', '= ties with the next')] : []),
     ...(plan.pareto ? [badge('soft', term('pareto', 'Pareto'))] : []),
   ]

@@ -177,13 +177,8 @@ export function openingMm2({ opening_area_mm2 }: Opened): number | null {
   return opening_area_mm2 ?? null
 }
 
-/// Closes also with small errors of execution.
-export function isRobust(plan: RankedPlan): boolean {
-  const { mean, sd } = plan.leak_mm2
-  const isTrusted = plan.status === 'converged' && !plan.crossing && plan.region_failures === 0
-  // Results of coapt 0.1 know no finer mesh.
-  return isTrusted && mean !== null && sd !== null && mean + sd < 1 && plan.closes_robustly !== false
-}
+/// Leaves at most a mild leak, as likely as it must, and breaks no rule.
+export const isAcceptable = (plan: RankedPlan): boolean => plan.closes_robustly
 
 /// "annuloplasty: generic-classic ring, size 30 mm; ..."
 export function inWords(plan: { description: string[] }): string {
@@ -201,19 +196,13 @@ export function doubts(plan: RankedPlan): string[] {
   return found
 }
 
-/// How sure it is that `a`, ranked first, is the better one; null: nothing is said of the two.
+/// What `a`, ranked first, and `b` are to each other; null: nothing is said of the two.
 export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): string | null {
   const between = all.filter((plan) => plan.rank >= a.rank && plan.rank < b.rank)
   if (between.length === 0) return null
-  const ties = between.every((plan) => plan.tie_with_next)
-  if (between.length > 1)
-    return ties ? `Plans ${a.rank} to ${b.rank} tie, each with the next: their order means little.` : null
-  const ahead = a.probability_outranks_next
-  const drawn = a.share_of_draws_ahead ?? null // unknown to results of coapt 0.1
-  const inDraws = drawn === null ? '' : `, in ${number(100 * drawn, 0)} % of the model's draws`
-  const likely =
-    ahead === null ? '' : `; plan ${a.rank} is ahead with a probability of ${number(100 * ahead, 0)} %${inDraws}`
-  return ties
-    ? `Plans ${a.rank} and ${b.rank} tie${likely}.`
-    : `Plan ${a.rank} is ahead of plan ${b.rank}${likely.replace(`; plan ${a.rank} is ahead`, '')}.`
+  if (between.every((plan) => plan.tie_with_next)) return `Plans ${a.rank} and ${b.rank} cannot be told apart.`
+  const ahead = between.length === 1 ? a.probability_outranks_next : null
+  return ahead === null
+    ? null
+    : `Plan ${a.rank} is rightly before plan ${b.rank} with a probability of ${number(100 * ahead, 0)} %.`
 }

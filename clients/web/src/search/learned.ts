@@ -26,7 +26,7 @@ export function learnedBoard(own: Weights, ordered: (learned: Partial<Weights> |
     h('h3', {}, 'What was learned'),
     said,
     h('label', { class: parts.check }, tick, 'Order the plans by what was learned'),
-    h('p', { class: parts.hint }, 'Whether a plan closes robustly and opens far enough still comes first.'),
+    h('p', { class: parts.hint }, 'Whether a plan is acceptable and opens far enough still comes first.'),
     h(
       'div',
       { class: parts.row },

@@ -2,7 +2,7 @@
 // first, its ranks say. Plans that it ranks by the cost alone change places, and no others.
 import type { Gate, RankedPlan } from '../api/types'
 import { joined, number } from '../format'
-import { isRobust, tieWords } from './figures'
+import { isAcceptable } from './figures'
 import { costOf, priceItems, type Wanted, type Weights } from './price'
 
 const OFTEN_FAILING = 0.05 // as search/plans/ranking.cpp has it
@@ -21,7 +21,7 @@ const STATEMENTS: Statement[] = [
     not: 'more than a twentieth of its closures over the region failed',
   },
   { holds: passes('opening_area'), not: 'it opens to less than 1.5 cm²' },
-  { holds: isRobust, not: 'it is not shown to close robustly' },
+  { holds: isAcceptable, not: 'it is not acceptable' },
 ]
 
 function passes(...rules: Gate['rule'][]): Statement['holds'] {
@@ -31,6 +31,7 @@ function passes(...rules: Gate['rule'][]): Statement['holds'] {
 /// By rank, then each run of plans of which the program states the same by cost; its own weights leave them as ranked.
 export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): RankedPlan[] {
   const ranked = [...plans].sort((a, b) => a.rank - b.rank)
+  if (isSame(own, wanted)) return ranked
   let run = 0
   return ranked
     .map((plan, i) => {
@@ -42,19 +43,31 @@ export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): R
     .map(({ plan }) => plan)
 }
 
-/// Why the first of `order` stands before the second: "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
+const isSame = (a: Weights, b: Weights): boolean => JSON.stringify(a) === JSON.stringify(b)
+
+/// "Plans 1 to 3 cannot be told apart; plan 1 is the simplest of them. It leaks less than 5 mm² with a probability of 99 %."
+function byRule(first: RankedPlan, order: RankedPlan[]): string {
+  const likely = `leaks less than 5 mm² with a probability of ${number(100 * first.acceptable_probability, 0)} %.`
+  if (!isAcceptable(first)) return `No plan is acceptable: the first one ${likely}`
+  const alike = order.filter((plan) => plan.class === first.class).length
+  return alike > 1
+    ? `Plans 1 to ${alike} cannot be told apart; plan 1 is the simplest of them. It ${likely}`
+    : `Plan 1 ${likely}`
+}
+
+/// Why the first of `order` stands before the second, by the rule that ranks or, at other prices, "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
 /// more for undersizing." Null where there is no second, or a cost is not known.
 export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wanted): string | null {
   const [first, second] = order
   if (!first || !second) return null
   const [cost, other] = [costOf(first, own, weights), costOf(second, own, weights)]
   if (cost === null || other === null) return null
-  const tie = by === '' && first.tie_with_next ? `${tieWords(first, second, order) ?? ''} ` : ''
+  if (by === '' && first.acceptable_probability !== undefined && isSame(own, weights)) return byRule(first, order)
   const plan = by === '' ? 'Plan' : `By ${by} plan`
   const costs = `${plan} ${first.rank} stands first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
   const decisive = STATEMENTS.find(({ holds }) => holds(first) && !holds(second))
-  if (decisive) return `${tie}${costs}, ${other < cost ? 'but' : 'and'} ${decisive.not}.`
-  return `${tie}${costs}${differences(first, second, weights)}.`
+  if (decisive) return `${costs}, ${other < cost ? 'but' : 'and'} ${decisive.not}.`
+  return `${costs}${differences(first, second, weights)}.`
 }
 
 function differences(first: RankedPlan, second: RankedPlan, weights: Weights): string {

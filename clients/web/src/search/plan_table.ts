@@ -6,7 +6,7 @@ import { h, type Child } from '../dom'
 import { number } from '../format'
 import { term } from '../help/term'
 import { describe } from '../repair/steps'
-import { FURTHEST_DISEASE_MM, isRobust, meanAndSdCell, openingMm2, type Opened } from './figures'
+import { FURTHEST_DISEASE_MM, isAcceptable, meanAndSdCell, openingMm2, type Opened } from './figures'
 import { costOf, type Wanted, type Weights } from './price'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -112,7 +112,7 @@ function rankCell(plan: RankedPlan, id: string, box: HTMLInputElement, note: HTM
     { class: searchStyle.rank },
     box,
     h('a', { href: `#${id}`, onclick: go, 'aria-label': `Plan ${plan.rank}` }, `${plan.rank}.`),
-    isRobust(plan) && h('span', { class: parts.good, title: 'robust' }, '✓'),
+    isAcceptable(plan) && h('span', { class: parts.good, title: 'acceptable' }, '✓'),
     note,
   )
 }

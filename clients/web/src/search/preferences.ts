@@ -67,7 +67,7 @@ export function preferences(plans: RankedPlan[], weights: Weights, changed: (fac
     h(
       'p',
       { class: parts.hint },
-      'Each slider multiplies the prices of its kind in the cost, without a new search: × 1 is as searched. Whether a plan closes robustly and opens far enough still comes first.',
+      'Each slider multiplies the prices of its kind in the cost, without a new search: × 1 is as searched. Whether a plan is acceptable and opens far enough still comes first.',
     ),
     h('div', { class: searchStyle.sliders }, ...sliders.map(({ element }) => element)),
   )

@@ -51,17 +51,18 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
         'p',
         {},
         h('span', { class: `${parts.badge} ${parts.good}` }, '✓'),
-        ' At least one plan closes the valve even with small errors of execution.',
+        ' At least one plan is acceptable: it leaves at most a mild leak, errors of execution, tissue and mesh included.',
       )
     : h(
         'p',
         {},
         h('span', { class: `${parts.badge} ${parts.warn}` }, '!'),
-        ' No plan is known to close the valve with small errors of execution.',
+        ' No plan is acceptable: none is known to leave at most a mild leak, errors of execution, tissue and mesh included.',
       )
   return h(
     'section',
     { class: parts.panel, 'aria-label': 'The search' },
+    result.diagnosis && h('p', { 'data-part': 'diagnosis' }, result.diagnosis.sentence),
     verdict,
     before.status !== 'converged' &&
       h('p', { class: parts.warn }, 'The closure before repair did not converge: do not trust its figures.'),

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/closed/diagnosis.h"
+#include "core/repair/limits.h"
+#include "core/valve/number_text.h"
+
+namespace coapt {
+namespace {
+
+std::string in_mm(double value) { return with_decimals(value, 0) + " mm"; }
+
+/// "P1", "P1 and P2", "P1, P2 and P3".
+std::string names_of(const std::vector<SegmentDiagnosis>& segments) {
+  std::string names;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    names += std::string(i == 0                    ? ""
+                         : i + 1 < segments.size() ? ", "
+                                                   : " and ") +
+             to_string(segments[i].segment);
+  return names;
+}
+
+std::vector<SegmentDiagnosis> of_finding(const std::vector<SegmentDiagnosis>& segments,
+                                         SegmentFinding finding) {
+  std::vector<SegmentDiagnosis> found;
+  std::copy_if(segments.begin(), segments.end(), std::back_inserter(found),
+               [&](const SegmentDiagnosis& segment) { return segment.finding == finding; });
+  return found;
+}
+
+/// "the edge of P2 stands 4 mm above the annulus, over 14 mm of its width".
+std::string height_of(const SegmentDiagnosis& segment) {
+  const std::string name = to_string(segment.segment);
+  const std::string width = segment.width_mm >= 1.0 ? " over " + in_mm(segment.width_mm) : "";
+  if (segment.highest_mm >= 0.5)
+    return "the edge of " + name + " stands up to " + in_mm(segment.highest_mm) +
+           " above the annulus" + width;
+  return "the edge of " + name + " lies " + in_mm(std::max(0.0, segment.override_mm)) +
+         " too high over the opposite leaflet" + width;
+}
+
+std::string of_excess(const Diagnosis& diagnosis) {
+  const std::vector<SegmentDiagnosis> all = prolapsing(diagnosis);
+  const auto flail = of_finding(all, SegmentFinding::Flail),
+             others = of_finding(all, SegmentFinding::Prolapse);
+  const auto highest = *std::max_element(all.begin(), all.end(),
+                                         [](const SegmentDiagnosis& a, const SegmentDiagnosis& b) {
+                                           return a.override_mm < b.override_mm;
+                                         });
+  std::string what;
+  if (!flail.empty()) what = "the chordae of " + names_of(flail) + " are ruptured";
+  if (!others.empty())
+    what += (what.empty() ? "" : ", ") + names_of(others) +
+            (others.size() == 1 ? " prolapses" : " prolapse");
+  return what + ": " + height_of(highest);
+}
+
+std::string of_tethering(const Diagnosis& diagnosis) {
+  const auto away = [&](int side) { return with_decimals(diagnosis.tip_to_trigone_mm[side], 0); };
+  const std::string depth = diagnosis.tenting_height_mm >= 0.5
+                                ? ", and leaflets meet or end " +
+                                      in_mm(diagnosis.tenting_height_mm) + " below the annulus"
+                                : "";
+  if (!diagnosis.tethered_side)
+    return "both papillary muscles tether the leaflets: their tips are " + away(0) + " and " +
+           away(1) + " mm from their trigones" + depth;
+  const int side = *diagnosis.tethered_side == Side::Anterolateral ? 0 : 1;
+  return std::string("the ") + to_string(*diagnosis.tethered_side) +
+         " papillary muscle tethers the leaflets: its tip is " + away(side) +
+         " mm from its trigone, the other one's " + away(1 - side) + " mm" + depth;
+}
+
+std::string of_annulus(const Diagnosis& diagnosis) {
+  return "the annulus is too wide for its leaflets: " + with_decimals(diagnosis.ap_mm, 0) + " x " +
+         in_mm(diagnosis.transverse_mm) + ", " +
+         with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
+         " times as deep as wide (0.75 in health)";
+}
+
+std::string reason(const Diagnosis& diagnosis, CarpentierType type) {
+  switch (type) {
+    case CarpentierType::I:
+      return of_annulus(diagnosis);
+    case CarpentierType::II:
+      return of_excess(diagnosis);
+    case CarpentierType::IIIa:
+      return "the leaflets hardly open";
+    case CarpentierType::IIIb:
+      return of_tethering(diagnosis);
+  }
+  return "";
+}
+
+std::string leak_of(const Diagnosis& diagnosis) {
+  const int decimals = diagnosis.leak_mm2 < 10.0 ? 1 : 0;
+  return with_decimals(diagnosis.leak_mm2, decimals) + " ± " +
+         with_decimals(diagnosis.leak_error_mm2, decimals) + " mm²";
+}
+
+}  // namespace
+
+std::string sentence_of(const Diagnosis& diagnosis) {
+  std::string text = diagnosis.competent ? "The valve is competent: it leaks " : "The valve leaks ";
+  text += leak_of(diagnosis);
+  for (std::size_t i = 0; i < diagnosis.types.size(); ++i) {
+    const bool first = i == 0 && !diagnosis.competent;
+    text += !first ? "; and " : diagnosis.type_sure ? " because " : ", probably because ";
+    text += reason(diagnosis, diagnosis.types[i]) + " (Carpentier type " +
+            to_string(diagnosis.types[i]) + ")";
+  }
+  text += ".";
+  if (diagnosis.not_ruled_out)
+    text += std::string(" Type ") + to_string(*diagnosis.not_ruled_out) + " is not ruled out.";
+  if (!diagnosis.competent_sure)
+    text += " The leak is too near " + shown(kMildLeak_mm2) +
+            " mm² to tell whether the valve is competent.";
+  return text;
+}
+
+}  // namespace coapt

@@ -1,0 +1,80 @@
+#include "search/plans/plan_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "search/plans/plan_opening.h"
+
+namespace coapt {
+namespace {
+
+/// Less is better; what is not acceptable comes after all that is.
+int tier(const PlanMerits& plan) {
+  if (plan.rejected) return 6;
+  if (!plan.trusted) return 5;
+  if (plan.fails_often) return 4;
+  if (plan.stenotic) return 3;
+  if (!is_acceptable(plan)) return 2;
+  return plan.avoidable_warnings > 0 ? 1 : 0;
+}
+
+bool is_simpler(const PlanMerits& a, const PlanMerits& b) {
+  return std::tie(a.steps, a.muscles, a.sizes_below, a.leak_mm2) <
+         std::tie(b.steps, b.muscles, b.sizes_below, b.leak_mm2);
+}
+
+/// Takes the best class from `left` (acceptable plans of one tier), the simplest first.
+std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<int>& left) {
+  double longest = -std::numeric_limits<double>::infinity();
+  for (const int i : left) longest = std::fmax(longest, plans[i].durability_mm);
+  const auto lasts = [&](int i) {
+    return std::isnan(plans[i].durability_mm) ||
+           plans[i].durability_mm >= longest - kSameDurability_mm;
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const int i : left)
+    if (lasts(i)) least = std::fmin(least, plans[i].gradient_mmhg);
+  const double most = std::max(kUsualGradient_mmhg, least + kSameGradient_mmhg);
+  const auto rest = std::stable_partition(left.begin(), left.end(), [&](int i) {
+    return !(lasts(i) && !(plans[i].gradient_mmhg > most));
+  });
+  std::vector<int> taken(rest, left.end());
+  left.erase(rest, left.end());
+  std::stable_sort(taken.begin(), taken.end(),
+                   [&](int a, int b) { return is_simpler(plans[a], plans[b]); });
+  return taken;
+}
+
+}  // namespace
+
+bool is_acceptable(const PlanMerits& plan) {
+  return plan.trusted && !plan.fails_often && !plan.rejected && !plan.stenotic &&
+         plan.acceptable_probability >= kAcceptable && plan.closes_finely;
+}
+
+std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price) {
+  std::vector<PlanPlace> order;
+  int of_class = 0;
+  for (int now = 0; now <= 6; ++now) {
+    std::vector<int> left;
+    for (int i = 0; i < std::ssize(plans); ++i)
+      if (const int of = tier(plans[i]); (by_price && of == 1 ? 0 : of) == now) left.push_back(i);
+    if (now > 1 || by_price) {
+      std::stable_sort(left.begin(), left.end(), [&](int a, int b) {
+        if (!by_price && plans[a].acceptable_probability != plans[b].acceptable_probability)
+          return plans[a].acceptable_probability > plans[b].acceptable_probability;
+        return plans[a].cost < plans[b].cost;
+      });
+      for (const int i : left) order.push_back({i, ++of_class});
+      continue;
+    }
+    while (!left.empty()) {
+      ++of_class;
+      for (const int i : take_class(plans, left)) order.push_back({i, of_class});
+    }
+  }
+  return order;
+}
+
+}  // namespace coapt

@@ -1,0 +1,48 @@
+// The order of plans, as a surgeon would have it: what practice rejects comes last; plans that leave at most a mild leak come first, of these
+// those without a warning that others avoid; plans that cannot be told apart form a class, which its simplest member heads.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+namespace coapt {
+
+/// What decides between plans.
+struct PlanMerits {
+  bool trusted = true;       ///< as planned, on its own mesh
+  bool fails_often = false;  ///< its closures over the region
+  bool rejected = false;     ///< by a rule of practice
+  bool stenotic = false;
+  /// That the valve leaks less than kMildLeak_mm2, over errors of the hand, tissue and mesh.
+  double acceptable_probability = 0.0;
+  bool closes_finely = true;   ///< on the finer mesh, too
+  int avoidable_warnings = 0;  ///< of kAvoidable
+  double durability_mm =
+      std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known, of all plans or of none
+  double gradient_mmhg = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
+  int steps = 0, muscles = 0;                                       ///< muscles: sutured ones
+  double sizes_below = 0.0;
+  double leak_mm2 = 0.0;  ///< mean + sd over the region
+  double cost = 0.0;
+};
+
+/// From that probability on a plan is acceptable.
+inline constexpr double kAcceptable = 0.95;
+/// Within these, plans cannot be told apart: durability_mm of the best of a class; gradient of the least, or not above what usual rings
+/// leave (plan_opening.h).
+inline constexpr double kSameDurability_mm = 2.0, kSameGradient_mmhg = 1.0;
+
+/// Trusted, seldom failing, not rejected, not stenotic, mild with kAcceptable, on the finer mesh, too.
+bool is_acceptable(const PlanMerits& plan);
+
+struct PlanPlace {
+  int index = 0;     ///< into the plans given
+  int of_class = 1;  ///< from 1: plans of one class cannot be told apart
+};
+
+/// All plans, best first; the first of a class is its simplest member: fewest steps, fewest muscles, least undersizing, least leak.
+/// What is not acceptable is a class of its own, by how likely it is to be, then by cost.
+/// @param by_price by cost instead within what is acceptable and what is not, each plan a class of its own
+std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price = false);
+
+}  // namespace coapt

@@ -1,0 +1,128 @@
+#include "core/closed/diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/closed/closed_valve.h"
+#include "core/valve/remodel.h"
+#include "tests/scenes/small_preset.h"
+
+namespace coapt {
+namespace {
+
+std::optional<Diagnosis> diagnosis_of(const Valve& valve) {
+  const ClosedValve closed = close_and_measure(valve);
+  return diagnose(closed.valve, closed.closure, closed.measure);
+}
+
+Diagnosis of_preset(const std::string& name) { return *diagnosis_of(shared_preset(name, 650)); }
+
+std::vector<Segment> names(const std::vector<SegmentDiagnosis>& segments) {
+  std::vector<Segment> found;
+  for (const SegmentDiagnosis& segment : segments) found.push_back(segment.segment);
+  return found;
+}
+
+TEST(Diagnosis, PresetsHaveTheTypeOfTheirDisease) {
+  for (const char* name : {"human-normal", "hypertrophic", "porcine-1", "porcine-4"}) {
+    const Diagnosis found = of_preset(name);
+    EXPECT_TRUE(found.competent) << name;
+    EXPECT_TRUE(found.types.empty()) << name;
+  }
+  for (const char* name : {"human-functional-mr", "secondary-mr"})
+    EXPECT_EQ(of_preset(name).types, std::vector{CarpentierType::IIIb}) << name;
+  for (const char* name : {"human-p2-prolapse", "fibroelastic-flail", "barlow", "marfan"}) {
+    const Diagnosis found = of_preset(name);
+    EXPECT_EQ(found.types, std::vector{CarpentierType::II}) << name;
+    EXPECT_TRUE(found.type_sure) << name;
+    const std::vector<Segment> segments = names(prolapsing(found));
+    EXPECT_NE(std::find(segments.begin(), segments.end(), Segment::P2), segments.end()) << name;
+  }
+}
+
+TEST(Diagnosis, ADilatedAnnulusWithTipsInPlaceIsTypeI) {
+  const auto dilated = remodel(shared_preset("human-normal", 650),
+                               {.ap_dilation_percent = 30.0, .annular_height_percent = 50.0});
+  const Diagnosis found = *diagnosis_of(*dilated);
+  EXPECT_EQ(found.types, std::vector{CarpentierType::I});
+  EXPECT_TRUE(found.annulus_dilated);
+  EXPECT_TRUE(prolapsing(found).empty());
+}
+
+TEST(Diagnosis, ADisplacedMuscleIsTypeIIIbOfItsSide) {
+  const auto displaced =
+      remodel(shared_preset("human-normal", 650),
+              {.ap_dilation_percent = 12.0, .posteromedial_mm = Vec3(6.0, 6.0, 8.0)});
+  const Diagnosis found = *diagnosis_of(*displaced);
+  ASSERT_EQ(found.types, std::vector{CarpentierType::IIIb});
+  EXPECT_EQ(found.tethered_side, Side::Posteromedial);
+  EXPECT_EQ(found.segments[5].finding, SegmentFinding::Tethered) << "P3";
+  EXPECT_EQ(found.segments[3].finding, SegmentFinding::Normal) << "P1";
+}
+
+TEST(Diagnosis, ARuptureIsFoundWhereItIs) {
+  Remodelling change{.ap_dilation_percent = 8.0};
+  change.ruptured = {Segment::P2};
+  const Diagnosis found = *diagnosis_of(*remodel(shared_preset("human-normal", 650), change));
+  EXPECT_EQ(names(prolapsing(found)), std::vector{Segment::P2});
+  EXPECT_EQ(found.segments[4].finding, SegmentFinding::Flail);
+  EXPECT_GT(found.segments[4].ruptured, 0);
+  EXPECT_GT(found.segments[4].width_mm, 5.0);
+  EXPECT_EQ(found.segments[1].ruptured, 0);
+}
+
+TEST(Diagnosis, SaysInASentenceWhy) {
+  const std::string flail = sentence_of(of_preset("human-p2-prolapse"));
+  EXPECT_NE(flail.find("the chordae of P2 are ruptured"), std::string::npos) << flail;
+  EXPECT_NE(flail.find("(Carpentier type II)."), std::string::npos) << flail;
+  EXPECT_EQ(sentence_of(of_preset("human-normal")).rfind("The valve is competent: it leaks ", 0),
+            0U);
+  Diagnosis doubtful;
+  doubtful.leak_mm2 = 6.0;
+  doubtful.leak_error_mm2 = 2.0;
+  doubtful.competent_sure = false;
+  doubtful.types = {CarpentierType::I};
+  doubtful.type_sure = false;
+  doubtful.not_ruled_out = CarpentierType::IIIb;
+  doubtful.ap_mm = 33.0;
+  doubtful.transverse_mm = 36.0;
+  EXPECT_EQ(sentence_of(doubtful),
+            "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for its "
+            "leaflets: 33 x 36 mm, 0.92 times as deep as wide (0.75 in health) (Carpentier type "
+            "I). Type IIIb is not ruled out. The leak is too near 5 mm² to tell whether the valve "
+            "is competent.");
+}
+
+TEST(Diagnosis, IsTheSameHoweverTheValveLies) {
+  const Valve& valve = shared_preset("human-functional-mr", 650);
+  const ClosedValve closed = close_and_measure(valve);
+  const Diagnosis straight = *diagnose(closed.valve, closed.closure, closed.measure);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -1.0).normalized()).matrix();
+  const auto turned = [&](const Points& points) -> Points { return points * turn.transpose(); };
+  ClosedValve moved = closed;
+  moved.valve.annulus_mm = turned(moved.valve.annulus_mm);
+  moved.valve.rest_mm = turned(moved.valve.rest_mm);
+  moved.closure.closed_mm = turned(moved.closure.closed_mm);
+  for (PapillaryHead& head : moved.valve.heads) head.tip_mm = turn * head.tip_mm;
+  const Diagnosis same = *diagnose(moved.valve, moved.closure, moved.measure);
+  EXPECT_NEAR(same.tethering, straight.tethering, 1e-9);
+  for (int s = 0; s < 6; ++s)
+    EXPECT_NEAR(same.segments[s].override_mm, straight.segments[s].override_mm, 1e-9);
+}
+
+TEST(Diagnosis, LeafletsThatHardlyOpenAreTypeIIIa) {
+  const ClosedValve closed = close_and_measure(shared_preset("human-normal", 650));
+  EXPECT_EQ(diagnose(closed.valve, closed.closure, closed.measure, 120.0)->types,
+            std::vector{CarpentierType::IIIa});
+  EXPECT_TRUE(diagnose(closed.valve, closed.closure, closed.measure, 400.0)->types.empty());
+}
+
+TEST(Diagnosis, NothingIsSaidOfAClosureThatIsNotToBeTrusted) {
+  ClosedValve closed = close_and_measure(shared_preset("human-functional-mr", 650));
+  closed.closure.crossing = true;
+  EXPECT_FALSE(diagnose(closed.valve, closed.closure, closed.measure));
+}
+
+}  // namespace
+}  // namespace coapt
