@@ -42,7 +42,7 @@ export const LIMITS: NumberOption[] = [
     pointer: '/rules/most_movement_mm',
     label: 'Most papillary movement',
     unit: 'mm',
-    least: 2,
+    least: 3,
     most: 15,
     step: 0.5,
     fallback: 10,
@@ -181,6 +181,7 @@ export const EVIDENCE: Switch = {
 }
 
 export const STEPS_ON_REQUEST: Switch[] = [
+  { pointer: '/rules/own_ring', label: 'Rings of the own shape', fallback: false },
   { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
   { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },

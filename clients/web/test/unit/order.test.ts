@@ -95,16 +95,28 @@ test('the first plan is first by the prices that differ, the largest first', () 
   )
 })
 
-test('a tie is said before its prices', () => {
-  const words = whyFirst([planOf({ cost: 3, tie: true }), planOf({ rank: 2, cost: 3.01 })], WEIGHTS, asSearched)
-  expect(words).toBe(
-    'Plans 1 and 2 tie; plan 1 is ahead with a probability of 60 %. Plan 1 stands first with a cost of 3.00 mm²; plan 2 has 3.01, with nearly the same prices.',
+test('as searched the rule is the reason: how likely it is acceptable, and of which class the simplest', () => {
+  const of = (given: Parameters<typeof planOf>[0], of_class: number): RankedPlan => ({
+    ...planOf(given),
+    acceptable_probability: 0.98,
+    class: of_class,
+  })
+  expect(whyFirst([of({ cost: 3 }, 1), of({ rank: 2, cost: 2 }, 1)], WEIGHTS, asSearched)).toBe(
+    'Plans 1 to 2 cannot be told apart; plan 1 is the simplest of them. It leaks less than 5 mm² with a probability of 98 %.',
   )
+  expect(whyFirst([of({ cost: 3 }, 1), of({ rank: 2, cost: 2 }, 2)], WEIGHTS, asSearched)).toBe(
+    'Plan 1 leaks less than 5 mm² with a probability of 98 %.',
+  )
+  expect(whyFirst([of({ robust: false }, 1), of({ rank: 2, robust: false }, 2)], WEIGHTS, asSearched)).toBe(
+    'No plan is acceptable: the first one leaks less than 5 mm² with a probability of 98 %.',
+  )
+  const dearer = [of({ cost: 3 }, 1), of({ rank: 2, cost: 2 }, 1)]
+  expect(reordered(dearer, WEIGHTS, WEIGHTS).map(({ rank }) => rank)).toEqual([1, 2])
 })
 
 test('what decided before the cost is the reason', () => {
   expect(whyFirst([planOf({ cost: 5 }), planOf({ rank: 2, cost: 3, robust: false })], WEIGHTS, asSearched)).toBe(
-    'Plan 1 stands first with a cost of 5.00 mm²; plan 2 has 3.00, but it is not shown to close robustly.',
+    'Plan 1 stands first with a cost of 5.00 mm²; plan 2 has 3.00, but it is not acceptable.',
   )
   expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, opening_mm2: 120 })], WEIGHTS, asSearched)).toBe(
     'Plan 1 stands first with a cost of 2.00 mm²; plan 2 has 3.00, and it opens to less than 1.5 cm².',

@@ -103,12 +103,12 @@ test('an unknown mean is not zero', () => {
   expect(meanAndSd({ mean: 0.04, sd: 0.1 })).toBe('0.0 ± 0.1 mm²')
 })
 
-test('ties are said as ties, also across ranks between', () => {
+test('plans of a class cannot be told apart, also across ranks between', () => {
   const tied = [plan({ rank: 1, tie: true, ahead: 0.75 }), plan({ rank: 2, tie: true }), plan({ rank: 3 })] as const
-  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Plans 1 and 2 tie; plan 1 is ahead with a probability of 75 %.')
-  expect(tieWords(tied[0], tied[2], [...tied])).toBe('Plans 1 to 3 tie, each with the next: their order means little.')
+  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Plans 1 and 2 cannot be told apart.')
+  expect(tieWords(tied[0], tied[2], [...tied])).toBe('Plans 1 and 3 cannot be told apart.')
   const apart = [plan({ rank: 1, ahead: 1 }), plan({ rank: 2 }), plan({ rank: 3 })] as const
-  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Plan 1 is ahead of plan 2 with a probability of 100 %.')
+  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Plan 1 is rightly before plan 2 with a probability of 100 %.')
   expect(tieWords(apart[0], apart[2], [...apart])).toBeNull()
 })
 
