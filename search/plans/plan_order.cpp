@@ -49,7 +49,7 @@ std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<in
 }  // namespace
 
 bool is_acceptable(const PlanMerits& plan) {
-  return plan.trusted && !plan.fails_often && !plan.rejected && !plan.stenotic &&
+  return plan.trusted && plan.varied && !plan.fails_often && !plan.rejected && !plan.stenotic &&
          plan.acceptable_probability >= kAcceptable && plan.closes_finely;
 }
 

@@ -9,7 +9,9 @@ namespace coapt {
 
 /// What decides between plans.
 struct PlanMerits {
-  bool trusted = true;       ///< as planned, on its own mesh
+  bool trusted = true;  ///< as planned, on its own mesh
+  bool varied =
+      true;  ///< closed at more than one node: else nothing is known of errors of the hand
   bool fails_often = false;  ///< its closures over the region
   bool rejected = false;     ///< by a rule of practice
   bool stenotic = false;
@@ -32,7 +34,7 @@ inline constexpr double kAcceptable = 0.95;
 /// leave (plan_opening.h).
 inline constexpr double kSameDurability_mm = 2.0, kSameGradient_mmhg = 1.0;
 
-/// Trusted, seldom failing, not rejected, not stenotic, mild with kAcceptable, on the finer mesh, too.
+/// Trusted, varied, seldom failing, not rejected, not stenotic, mild with kAcceptable, on the finer mesh, too.
 bool is_acceptable(const PlanMerits& plan);
 
 struct PlanPlace {

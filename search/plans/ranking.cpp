@@ -87,6 +87,7 @@ PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& recor
   PlanMerits merits;
   const RegionReport region = region_report(record, nodes);
   merits.trusted = trusted(record.closures.at(0));
+  merits.varied = nodes > 1;
   merits.fails_often = region.failures > kOftenFailing * region.closures;
   merits.rejected = !record.rejected_by.empty();
   merits.stenotic = is_stenotic(record.opening);

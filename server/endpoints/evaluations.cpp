@@ -50,7 +50,7 @@ Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) 
   Json answer = {
       {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
-  for (const char* name : {"any_competent", "ladder", "plans_tried", "closures",
+  for (const char* name : {"diagnosis", "any_competent", "ladder", "plans_tried", "closures",
                            "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
     answer[name] = json[name];
   return answer;

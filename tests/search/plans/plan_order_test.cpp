@@ -50,6 +50,7 @@ TEST(PlanOrder, WhatPracticeRejectsComesLast) {
 TEST(PlanOrder, ALeakOnTheFinerMeshIsNotAcceptable) {
   EXPECT_TRUE(is_acceptable(good()));
   EXPECT_FALSE(is_acceptable(with([](PlanMerits& plan) { plan.closes_finely = false; })));
+  EXPECT_FALSE(is_acceptable(with([](PlanMerits& plan) { plan.varied = false; })));
 }
 
 TEST(PlanOrder, AClassIsHeadedByItsSimplestMember) {
