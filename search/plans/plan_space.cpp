@@ -42,6 +42,11 @@ int step_count(const Choice& choice) {
          (choice.leaflet == LeafletChoice::None ? 0 : 1);
 }
 
+bool mends_lesion(const Choice& choice) {
+  return choice.neochordae > 0 || choice.leaflet != LeafletChoice::None ||
+         choice.chordal != ChordalChoice::None;
+}
+
 template <class Step>
 bool has_step(const RepairPlan& plan) {
   return std::any_of(plan.steps.begin(), plan.steps.end(),
@@ -75,14 +80,21 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
   const std::vector<int> neochordae = offer_neochordae();
   const std::vector<ChordalChoice> chordals = offer_chordal();
   const std::vector<LeafletChoice> leaflets = offer_leaflet();
+  // Of what is indicated, a surgeon leaves out neither the ring nor what prolapses, if rules let him.
+  const bool needs_ring = diagnosis_ && rings.size() > 1;
+  const bool needs_mending =
+      diagnosis_ && diagnosis_->type_sure && may_be(*diagnosis_, CarpentierType::II) &&
+      (neochordae.size() > 1 || leaflets.size() > 1) && !has_step<Neochorda>(rules_.fixed) &&
+      !has_step<LeafletResection>(rules_.fixed) && !has_step<EdgeToEdge>(rules_.fixed);
   for (const std::string& ring : rings)
     for (const auto& al : anterolateral)
       for (const auto& pm : posteromedial)
         for (const int count : neochordae)
           for (const ChordalChoice chordal : chordals)
             for (const LeafletChoice leaflet : leaflets)
-              if (const auto branch = make_branch({ring, al, pm, count, chordal, leaflet}))
-                branches_.push_back(*branch);
+              if (const Choice choice{ring, al, pm, count, chordal, leaflet};
+                  (!ring.empty() || !needs_ring) && (mends_lesion(choice) || !needs_mending))
+                if (const auto branch = make_branch(choice)) branches_.push_back(*branch);
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
     return step_count(a.choice) < step_count(b.choice);
   });
@@ -125,7 +137,7 @@ std::vector<std::string> PlanSpace::offer_rings() {
     }
   };
   std::vector<double> sizes;
-  if (rules_.own_ring || !diagnosis_) {
+  if (rules_.own_ring || !diagnosis_ || is_forbidden(rules_, "annuloplasty", kOwnShape)) {
     for (int below = 1; below <= static_cast<int>(kMostSizesBelow); ++below)
       if (try_ring({OwnRing{below}}, below)) sizes.push_back(below);
     offer(kOwnShape, sizes);

@@ -2,7 +2,7 @@
 // lattice of sizes, lengths and places.
 //
 //   no operation      if the valve is competent, or may be
-//   ring              none; of the catalogue 3 : 4 for every valve, shorter ones for tethered leaflets, and each of
+//   ring              with every repair (none where rules leave none); of the catalogue 3 : 4 for every valve, shorter ones for tethered leaflets, and each of
 //                     SearchRules::shapes, its sizes 0 to 4 below; the own shape 1 to 4 sizes below, on request
 //   papillary suture  where leaflets are tethered, to trigone, saddle peak or a free point of the anterior annulus, for a displaced
 //                     muscle: its tip further from its trigone than mean + sd of normal hearts

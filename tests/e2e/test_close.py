@@ -162,11 +162,11 @@ class Close(ProgramTest):
         self.assertIn("mm2", result.stdout)
         self.assertEqual(result.stderr, "")
 
-    def test_the_words_begin_with_the_leak_even_where_leaflets_overlap_it(self):
+    def test_the_words_begin_with_the_reason_and_the_leak_even_where_leaflets_overlap_it(self):
         words = coapt("close", "human-p2-prolapse").stdout
         leak_mm2 = self.close("human-p2-prolapse")["leak_mm2"]
         self.assertGreater(leak_mm2, 20.0)
-        told = re.match(r"  leak +([\d.]+) ± [\d.]+ mm2", words.splitlines()[1])
+        told = re.match(r"  leak +([\d.]+) ± [\d.]+ mm2", words.splitlines()[2])
         self.assertAlmostEqual(float(told[1]), leak_mm2, delta=0.5)
 
     def test_openings_too_small_to_show_are_left_to_json(self):

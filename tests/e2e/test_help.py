@@ -100,7 +100,19 @@ class Completion(unittest.TestCase):
         self.assertEqual(
             self.complete(COAPT, ""),
             {
-                *("valve", "close", "compare", "design", "export", "fit", "evaluate", "open", "plan", "population"),
+                *(
+                    "valve",
+                    "close",
+                    "compare",
+                    "design",
+                    "diagnose",
+                    "export",
+                    "fit",
+                    "evaluate",
+                    "open",
+                    "plan",
+                    "population",
+                ),
                 *("prefer", "study", "train"),
             },
         )
