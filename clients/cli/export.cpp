@@ -23,6 +23,7 @@ struct ExportArguments {
   std::string valve;
   PlanOption plan;
   std::vector<std::string> outputs;
+  std::string grid;
   ExportOptions options;
 };
 
@@ -61,7 +62,7 @@ int write_folder(const std::string& path, const ClosedValve& exported,
 
 int write_file(const std::string& path, const ClosedValve& exported, const ExportOptions& options) {
   const Expected<std::string> bytes = write_valve_file(exported, *format_of_path(path), options);
-  if (!bytes) return report_errors(path, bytes.errors());
+  if (!bytes) return report_option_errors("export", bytes.errors(), {{"/grid", "--grid"}});
   return write_output(path, *bytes);
 }
 
@@ -92,11 +93,18 @@ void note_ties(const ExportArguments& arguments, const Valve& valve) {
                    "from this has none\n";
 }
 
-int run(const ExportArguments& arguments) {
+int run(ExportArguments arguments) {
   const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
   if (planned.failed) return planned.failed;
   for (const std::string& path : arguments.outputs)
     if (const int failed = is_folder(path) ? exit_code::kOk : check_output(path)) return failed;
+  if (!arguments.grid.empty()) {
+    const Expected<std::string> bytes = read_input(arguments.grid);
+    if (!bytes) return report_errors(arguments.grid, bytes.errors());
+    const Expected<LabelMap> map = read_label_map(*bytes);
+    if (!map) return report_errors(arguments.grid, map.errors());
+    arguments.options.grid = {map->size, map->to_lps_mm, map->placed};
+  }
 
   const ClosedValve exported = with_repair(close_and_measure(planned.repaired, {.motion = true}),
                                            planned.valve, planned.plan);
@@ -132,6 +140,9 @@ void add_export(Command parent, int& status) {
                   "Axes of the numbers: patient (default), those of the images that the valve was "
                   "made from, its own where these are not known; or valve, its own")
       .show_argument("FRAME");
+  command.add_option("--grid", arguments->grid,
+                     "Label map that the valve was imported from: .nrrd and .nii have its voxels, "
+                     "and load beside the images (default: voxels of 0.5 mm about the valve)");
   std::string formats = "Formats:\n";
   for (const FileFormat& format : file_formats())
     formats += "  ." + std::string(format.name) +
@@ -144,6 +155,7 @@ void add_export(Command parent, int& status) {
       "Examples:\n"
       "  coapt export human-normal -o valve.glb\n"
       "  coapt export valve.json --plan plan.json -o repaired.vtk -o repaired.mrk.json\n"
+      "  coapt export valve.json --plan plan.json -o repaired.nrrd --grid segmentation.seg.nrrd\n"
       "  coapt export valve.json -o valve.feb\n"
       "  coapt export valve.json --open -o FEM-model/     # coapt valve import --slicerheart reads "
       "it");

@@ -9,8 +9,10 @@
 #include "io/exchange/measurements_csv.h"
 #include "io/exchange/placed_valve.h"
 #include "io/exchange/valve_glb.h"
+#include "io/exchange/valve_labels.h"
 #include "io/exchange/valve_markups.h"
 #include "io/exchange/valve_vtk.h"
+#include "io/image/write_label_map.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/write_mesh.h"
 
@@ -62,10 +64,23 @@ Expected<std::string> feb(const ClosedValve& exported, const ValveShape&, const 
   return write_feb(exported.valve);
 }
 
+template <auto Write>
+Expected<std::string> labels(const ClosedValve& exported, const ValveShape& shape,
+                             const ExportOptions& options) {
+  if (options.grid && axes_of(exported.valve) == MarkupAxes::Valve)
+    return Error{ErrorCode::BadReference, "/grid",
+                 "cannot be given: the valve is written in its own axes, which are not those of "
+                 "images"};
+  const Expected<LabelMap> map =
+      valve_labels(exported, shape, options.grid ? &*options.grid : nullptr);
+  if (!map) return map.errors();
+  return Write(*map, shape.doubt);
+}
+
 constexpr const char* kBytes = "application/octet-stream";
 constexpr char kPly[] = "ply", kObj[] = "obj", kStl[] = "stl";
 
-constexpr std::array<Format, 8> kFormats = {
+constexpr std::array<Format, 10> kFormats = {
     {{{"glb", "model/gltf-binary", "leaflets and chordae, closing animation (metres)"}, glb},
      {{"vtk", kBytes, "leaflets and chordae with data (legacy VTK)", true}, vtk},
      {{kPly, kBytes, "the leaflets", true}, mesh<kPly>},
@@ -74,7 +89,10 @@ constexpr std::array<Format, 8> kFormats = {
      {{"mrk.json", "application/json", "annulus, tips, landmarks, repair as Slicer's markups"},
       markups},
      {{"csv", "text/csv", "measurements under SlicerHeart's names"}, measurements},
-     {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb}}};
+     {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb},
+     {{"nrrd", kBytes, "leaflets and annulus as a label map (Slicer's segmentation)", true},
+      labels<write_nrrd>},
+     {{"nii", kBytes, "the same (NIfTI-1)", true}, labels<write_nifti>}}};
 
 Errors check_finite(const ClosedValve& exported, const ExportOptions& options) {
   if (options.open || exported.closure.closed_mm.allFinite()) return {};

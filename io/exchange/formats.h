@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/exchange/exported_valve.h"
+#include "io/image/image_geometry.h"
 
 namespace coapt {
 
@@ -34,9 +36,10 @@ enum class ExportFrame { Patient, Valve };
 struct ExportOptions {
   bool open = false;  ///< the unstressed shape instead of the closed one; .feb is always unstressed
   ExportFrame frame = ExportFrame::Patient;
+  std::optional<ImageGeometry> grid = {};  ///< of label maps; none: about the valve
 };
 
-/// Errors: a closure that flew apart has no closed shape.
+/// Errors: a closure that flew apart has no closed shape; of a label map "/grid", a valve that does not lie in it.
 Expected<std::string> write_valve_file(const ClosedValve& closed, const FileFormat& format,
                                        const ExportOptions& options = {});
 

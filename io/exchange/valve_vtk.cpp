@@ -1,5 +1,6 @@
 #include "io/exchange/valve_vtk.h"
 
+#include "core/closure/crossing.h"
 #include "core/metrics/annulus.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/loads.h"
@@ -10,7 +11,8 @@ namespace {
 
 std::vector<VtkScalars> face_data(const ClosedValve& exported, const ValveShape& shape) {
   VtkScalars leaflet{"leaflet", {}, true}, segment{"segment", {}, true},
-      circumferential{"strain_circumferential", {}}, radial{"strain_radial", {}};
+      circumferential{"strain_circumferential", {}}, radial{"strain_radial", {}},
+      crossing{"crossing", std::vector<double>(exported.valve.segments.size(), 0.0), true};
   for (const Leaflet side : leaflet_sides(exported.valve))
     leaflet.values.push_back(static_cast<double>(side));
   for (const Segment s : exported.valve.segments) segment.values.push_back(static_cast<double>(s));
@@ -18,7 +20,9 @@ std::vector<VtkScalars> face_data(const ClosedValve& exported, const ValveShape&
     circumferential.values.push_back(strain.circumferential);
     radial.values.push_back(strain.radial);
   }
-  return {leaflet, segment, circumferential, radial};
+  for (const auto& [f, g] : crossing_pairs(exported.valve.faces, shape.vertices_mm))
+    for (const int face : {f, g}) crossing.values[static_cast<std::size_t>(face)] = 1.0;
+  return {leaflet, segment, circumferential, radial, crossing};
 }
 
 std::string title_of(const Valve& valve, const ValveShape& shape) {

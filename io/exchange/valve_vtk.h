@@ -1,7 +1,7 @@
 // A valve in legacy VTK.
 //
 // Data of faces: leaflet (0 anterior, 1 posterior), segment (order of Segment: 0 A1 to 7 PC), Green-Lagrange
-// strains from the unstressed shape. Of points: height_mm over the annular plane, positive to the atrium.
+// strains from the unstressed shape, crossing (1: the triangle passes through another one). Of points: height_mm over the annular plane, positive to the atrium.
 // Of lines: chorda (index), kind (order of ChordaKind), rest_length_mm, diameter_mm, tension_n.
 // Chordae run from the papillary head to the leaflet, one line cell a straight piece; those that insert end
 // at a vertex of the mesh, in the same printed decimals (attached_vertex()); to_insertion_x, _y and _z (mm) lead from there

@@ -16,6 +16,7 @@ const FORMATS = [
   ['mrk.json', 'markups'],
   ['csv', 'measurements'],
   ['feb', 'FEBio'],
+  ['nrrd', 'label map'],
 ] as const
 
 export interface FileSaver {

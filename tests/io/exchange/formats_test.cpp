@@ -56,7 +56,7 @@ TEST(Formats, LoseTiesWhereTheyNeitherHoldNorDrawThem) {
   std::string losing;
   for (const FileFormat& format : file_formats())
     if (format.loses_ties) losing += std::string(format.name) + ' ';
-  EXPECT_EQ(losing, "vtk ply obj stl ");
+  EXPECT_EQ(losing, "vtk ply obj stl nrrd nii ");
 }
 
 TEST(Formats, AClosureThatFlewApartHasNoClosedShape) {
