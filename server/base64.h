@@ -7,6 +7,8 @@
 
 namespace coapt {
 
+std::string encoded_base64(std::string_view bytes);
+
 /// None if `text` is no base64 with padding.
 std::optional<std::string> decoded_base64(std::string_view text);
 

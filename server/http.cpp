@@ -10,6 +10,7 @@
 #include <string>
 
 #include "server/cors.h"
+#include "server/form_body.h"
 #include "server/header_block.h"
 #include "server/header_gate.h"
 #include "server/httplib_adapter.h"
@@ -106,11 +107,17 @@ Answer HttpServer::Inside::full_answer(Request& request, BodySource& body, const
   route = found.route;
   request.parameters = std::move(found.parameters);
   if (brings_body(request.method + ' ')) {
-    if (std::optional<Answer> refusal = refuse_body(body.header, limits.body_bytes))
+    if (std::optional<Answer> refusal =
+            refuse_body(body.header, limits.body_bytes, route->takes_form))
       return *std::move(refusal);
     const MayRunOut hungry;
     if (std::optional<Answer> refusal = read_body(body, limits, request.body))
       return *std::move(refusal);
+    if (const std::string type = field(body.header, "content-type"); is_form(type)) {
+      Expected<std::string> json = json_of_form(request.body, type);
+      if (!json) return problem(400, json.errors());
+      request.body = *std::move(json);
+    }
   }
   return counted(route->endpoint(request));
 }

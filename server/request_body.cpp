@@ -2,6 +2,8 @@
 
 #include <strings.h>
 
+#include "server/form_body.h"
+
 namespace coapt {
 namespace {
 
@@ -29,8 +31,10 @@ bool is_chunked(const HeaderBlock& header) { return header.fields.contains("tran
 
 }  // namespace
 
-std::optional<Answer> refuse_body(const HeaderBlock& header, std::size_t most_bytes) {
-  if (field(header, "content-type").starts_with("multipart/")) {
+std::optional<Answer> refuse_body(const HeaderBlock& header, std::size_t most_bytes,
+                                  bool takes_form) {
+  const std::string type = field(header, "content-type");
+  if (type.starts_with("multipart/") && !(takes_form && is_form(type))) {
     return problem(415, ErrorCode::Unsupported, "the body must be application/json");
   }
   if (header.fields.contains("content-encoding")) {

@@ -15,7 +15,8 @@
 namespace coapt {
 
 /// Why it cannot be taken: 400, 411, 413, 415.
-std::optional<Answer> refuse_body(const HeaderBlock& header, std::size_t most_bytes);
+std::optional<Answer> refuse_body(const HeaderBlock& header, std::size_t most_bytes,
+                                  bool takes_form);
 
 /// A body on its way.
 struct BodySource {

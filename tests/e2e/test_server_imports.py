@@ -3,6 +3,7 @@
 import json
 import unittest
 
+from programs import SOURCE
 from server_runs import ServerTest
 
 
@@ -71,6 +72,21 @@ class Imports(ServerTest):
         stored = self.server.get(f"/v1/valves/{path}")
         self.assertEqual(json.loads(valve.read_text())["vertices_mm"], stored["vertices_mm"])
         self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+
+    def test_a_form_with_files_is_the_same_request(self):
+        contract = json.loads((SOURCE / "server/openapi.json").read_text())
+        skirt = contract["components"]["examples"]["one_skirt"]["value"]
+        fields = []
+        for name in ("leaflets", "annulus", "chordae"):
+            for file in skirt[name] if name == "leaflets" else [skirt[name]]:
+                fields += ["-F", f"{name}=@{self.write(file['name'], file['text'])}"]
+        request = {name: skirt[name] for name in ("leaflets", "annulus", "chordae")} | {"triangles": 100}
+        asked = self.post("/v1/valves:import", request)
+        form = self.curl("/v1/valves:import", *fields, "-F", "triangles=100")
+        self.assertEqual(asked[0], 201, asked)
+        self.assertEqual((form[0], form[2]), (200, asked[2]))
+        self.assert_problem(self.curl("/v1/valves:import", *fields, "-F", "triangles=many"), 422, "/triangles")
+        self.assert_problem(self.curl("/v1/closures", *fields), 415)
 
 
 if __name__ == "__main__":
