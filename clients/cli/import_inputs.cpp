@@ -7,8 +7,10 @@
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/dicom/series_geometry.h"
+#include "io/exchange/companion_files.h"
 #include "io/exchange/file_roles.h"
 #include "io/exchange/slicerheart.h"
+#include "io/image/detached.h"
 #include "io/mesh/text_scan.h"
 
 namespace coapt {
@@ -84,13 +86,20 @@ int read_file(const std::string& path, const std::string& pointer, std::optional
   return exit_code::kOk;
 }
 
-int read_bare(const std::vector<std::string>& paths, ImportFiles& files, ImportPlaces& places,
+int read_bare(std::vector<std::string> paths, ImportFiles& files, ImportPlaces& places,
               std::vector<ImportDecision>& decisions) {
   std::vector<NamedFile> read;
-  for (const std::string& path : paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const fs::path path = paths[i];
     Expected<std::string> bytes = read_input(path);
     if (!bytes) return report_errors(path, bytes.errors());
-    read.push_back({fs::path(path).filename(), *std::move(bytes)});
+    read.push_back({path.filename(), *std::move(bytes)});
+    const Expected<std::vector<std::string>> companions = companions_of(read.back());
+    if (!companions) return report_errors(path, companions.errors());
+    for (const std::string& name : *companions)
+      if (const std::string beside = path.parent_path() / name;
+          std::find(paths.begin(), paths.end(), beside) == paths.end())
+        paths.push_back(beside);
   }
   Expected<SortedFiles> sorted = sorted_files(std::move(read));
   if (!sorted) {
@@ -104,6 +113,18 @@ int read_bare(const std::vector<std::string>& paths, ImportFiles& files, ImportP
   files = std::move(sorted->files);
   decisions = std::move(sorted->decisions);
   for (const auto& [pointer, file] : sorted->places) places.emplace_back(pointer, paths[file]);
+  return exit_code::kOk;
+}
+
+/// Of a header whose voxels are in a file beside it.
+int attach_voxels(const std::string& path, NamedFile& map) {
+  const Expected<std::vector<std::string>> companions = companions_of(map);
+  if (!companions) return report_errors(path, companions.errors());
+  if (companions->empty()) return exit_code::kOk;
+  const std::string beside = fs::path(path).parent_path() / companions->front();
+  const Expected<std::string> voxels = read_input(beside);
+  if (!voxels) return report_errors(beside, voxels.errors());
+  map.bytes = attached(map.bytes, *voxels);
   return exit_code::kOk;
 }
 
@@ -121,7 +142,7 @@ int read_named(const ImportInputs& inputs, bool draws_chordae, ImportFiles& file
                                             {inputs.tips, "/tips", &files.tips},
                                             {inputs.labels, "/labels", &files.labels}})
     if (const int failed = read_file(path, pointer, *file, places)) return failed;
-  return exit_code::kOk;
+  return inputs.labels.empty() ? exit_code::kOk : attach_voxels(inputs.labels, *files.labels);
 }
 
 int read_label_numbers(const std::vector<std::string>& words, LabelNumbers& numbers) {
@@ -152,21 +173,37 @@ int read_series(const std::string& folder, std::optional<ImageGeometry>& series)
   return exit_code::kOk;
 }
 
-/// By the file that each is of, with what the pointer says inside it; chordae and tips are numbered by their lists.
-void report_at_places(const Errors& errors, const ImportPlaces& places) {
+}  // namespace
+
+/// With what the pointer says inside the file; chordae and tips are numbered by their lists.
+int report_import_errors(const Errors& errors, const ImportPlaces& places) {
   for (Error error : errors) {
+    for (const std::string list : {"/annulus", "/tips"})
+      if (error.path.starts_with(list + "_mm")) error.path.erase(list.size(), 3);
     std::string source = "valve import";
+    bool of_file = false;
     for (const auto& [pointer, path] : places) {
       if (error.path != pointer && !error.path.starts_with(pointer + "/")) continue;
       source = path;
+      of_file = true;
       if (pointer != "/chordae" && pointer != "/tips") error.path.erase(0, pointer.size());
     }
+    // Leaflets and annulus of one file are its parts.
+    if (!of_file && places.size() == 1 &&
+        (error.path.starts_with("/leaflets") || error.path.starts_with("/annulus"))) {
+      source = places[0].second;
+      error.path.clear();
+    }
     if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "--label");
-    report_errors(source, {error});
+    if (of_file || source != "valve import")
+      report_errors(source, {error});
+    else
+      report_option_errors(
+          "valve import", {error},
+          {{"/thickness_measured", "--thickness"}, {"/tissue/thickness_mm", "--thickness"}});
   }
+  return exit_code::kBadInput;
 }
-
-}  // namespace
 
 ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
   ReadInputs read;
@@ -191,8 +228,8 @@ ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
   if ((read.failed = read_label_numbers(inputs.label_numbers, reading.labels))) return read;
   if ((read.failed = read_series(inputs.series, reading.series))) return read;
   if (!inputs.series.empty()) places.emplace_back("/series", inputs.series);
-  if (!inputs.label_numbers.empty() && !files.labels)
-    read.failed = refuse("--label needs a label map (--labels)");
+  if (!inputs.label_numbers.empty() && !files.labels && files.leaflets.size() != 1)
+    read.failed = refuse("--label needs a label map (--labels) or one file with several parts");
   else if (files.leaflets.empty() && !files.labels && inputs.series.empty())
     read.failed = refuse("--leaflet is required (or --labels, --slicerheart, or bare files)");
   if (read.failed) return read;
@@ -201,14 +238,15 @@ ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
     return read;
   }
   reading.axes = inputs.axes;
-  reading.packed = true;
+  reading.most_unpacked = kMostUnpacked;
+  reading.phase = inputs.phase;
   Expected<ImportSource> source = read_import_files(files, reading);
   if (!source) {
-    report_at_places(source.errors(), places);
-    read.failed = exit_code::kBadInput;
+    read.failed = report_import_errors(source.errors(), places);
     return read;
   }
   read.source = *std::move(source);
+  read.places = std::move(places);
   read.source.decisions.insert(read.source.decisions.begin(), decisions.begin(), decisions.end());
   return read;
 }

@@ -15,6 +15,7 @@ struct ImportInputs {
   std::string annulus, chordae, tips, labels, slicerheart, series;
   std::vector<std::string> label_numbers;  ///< "anterior=1"
   std::optional<PatientAxes> axes;
+  int phase = 0;  ///< of a label map of several, from 1; 0: the first that has labels
 };
 
 /// Where a part came from, for messages: a pointer into ImportFiles and the path of the file.
@@ -23,9 +24,13 @@ using ImportPlaces = std::vector<std::pair<std::string, std::string>>;
 struct ReadInputs {
   int failed = 0;  ///< an exit code; what is wrong was said on standard error
   ImportSource source;
+  ImportPlaces places;
 };
 
 /// @param draws_chordae chordae are to be drawn. Problems are said with the file's own path.
 ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae);
+
+/// Prints errors of an import made of such inputs by the file that each is of; returns kBadInput.
+int report_import_errors(const Errors& errors, const ImportPlaces& places);
 
 }  // namespace coapt

@@ -123,13 +123,7 @@ int run(ValveImportArguments& arguments) {
   Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
   if (!valve) {
     if (!folder.empty()) return report_errors(folder, valve.errors());
-    return report_option_errors("valve import", valve.errors(),
-                                {{"/leaflets", named ? "--leaflet" : "leaflets"},
-                                 {"/annulus_mm", named ? "--annulus" : "annulus"},
-                                 {"/tips", "--tips"},
-                                 {"/tips_mm", "--tips"},
-                                 {"/thickness_measured", "--thickness"},
-                                 {"/tissue/thickness_mm", "--thickness"}});
+    return report_import_errors(valve.errors(), read.places);
   }
   const auto unused = unused_options(arguments, valve->input.closed);
   valve->decisions.insert(valve->decisions.end(), unused.begin(), unused.end());
@@ -169,15 +163,20 @@ void add_valve_import(Command parent, int& status) {
       .count(1, 2);
   command
       .add_option("--labels", inputs.labels,
-                  "Label map of the leaflets and, perhaps, of the annulus (NRRD or NIfTI), instead")
+                  "Label map of the leaflets and, perhaps, of the annulus (NRRD, NIfTI or "
+                  "MetaImage), instead")
       .excludes("--leaflet");
   command
       .add_option(
           "--label", inputs.label_numbers,
-          "Which label is what, each with a --label of its own: anterior=N, posterior=N, "
-          "annulus=N, several of one if they are its scallops (default: by the names in the "
-          "file, else by what the labels look like)")
+          "Which label of a map, or which part of a file of several, is what, each with a --label "
+          "of its own: anterior=N, posterior=N, annulus=N, several of one if they are its scallops "
+          "(default: by the names in the file, else by what they look like)")
       .one_at_a_time();
+  command
+      .add_option("--phase", inputs.phase,
+                  "Which of a label map's phases, from 1 (default: the first that has labels)")
+      .check(number_from(1, kMostPhases));
   command.add_option("--series", inputs.series,
                      "Folder of the DICOM series that the labels were drawn on: spacing and frame "
                      "where the label map has none, else checked");
@@ -282,6 +281,15 @@ void add_valve_import(Command parent, int& status) {
       .add_flag("--trust-labels", options.trust_labels,
                 "Take the leaflets as labels, names and order say, even if they look the other way "
                 "round")
+      .excludes("--abaqus");
+  command
+      .add_flag("--flip", options.flip,
+                "The atrium is on the other side of the annulus than it looks, where no papillary "
+                "tips tell it")
+      .excludes("--abaqus");
+  command
+      .add_flag("--mirrored", options.mirrored,
+                "The files are a mirror image: every x of them is turned round")
       .excludes("--abaqus");
   command
       .add_flag("--strict", arguments->strict,

@@ -33,11 +33,22 @@ inline Json to_json(const std::vector<MeasuredThickness>& thickness) {
   return list;
 }
 
+/// [{"number", "part"}, ...]; part: anterior, posterior or annulus, null where it was not used.
+inline Json to_json(const std::vector<SourcePart>& parts) {
+  Json list = Json::array();
+  for (const SourcePart& of : parts)
+    list.push_back({{"number", of.number}, {"part", of.part.empty() ? Json() : Json(of.part)}});
+  return list;
+}
+
 /// coapt.import/2. Keys that scripts rely on: decisions[] (subject, value, reason, look, confidence).
 inline Json import_to_json(const ImportedValve& imported) {
   return result_document("coapt.import/2", {{"name", imported.valve.name},
                                             {"triangles", imported.valve.faces.rows()},
                                             {"chordae", imported.valve.chordae.size()},
+                                            {"unit", to_string(imported.unit)},
+                                            {"closed", imported.input.closed},
+                                            {"labels", to_json(imported.parts)},
                                             {"thickness", to_json(imported.thickness)},
                                             {"decisions", to_json(imported.decisions)}});
 }

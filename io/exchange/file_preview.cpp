@@ -68,10 +68,10 @@ FilePreview csv_preview(const std::string& text) {
 FilePreview labels_preview(const std::string& bytes) {
   const Expected<LabelMap> map = read_label_map(bytes, kMostVoxelsSent);
   if (!map) return {FileContent::Unknown, {}, {}, {}, map.errors()};
-  const Expected<LabelParts> parts = label_parts(*map, {}, false);
-  if (!parts) return {FileContent::Unknown, {}, {}, {}, parts.errors()};
+  const Expected<LabelParts> parts = label_parts(*map, {}, {.annulus = false});
+  if (!parts) return {FileContent::Labels, {}, {}, {}, parts.errors(), labels_in(*map)};
   const TriangleMesh leaflets = joined(parts->leaflets);
-  return {FileContent::Labels, leaflets.vertices_mm, leaflets.faces, {}, {}};
+  return {FileContent::Labels, leaflets.vertices_mm, leaflets.faces, {}, {}, labels_in(*map)};
 }
 
 }  // namespace

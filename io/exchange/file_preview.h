@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/exchange/formats.h"
+#include "io/mesh/import_valve.h"
 
 namespace coapt {
 
@@ -15,8 +16,9 @@ struct FilePreview {
   FileContent content = FileContent::Unknown;
   Points points;  ///< n x 3, in the file's units and frame; chordae: insertion, tip, insertion, ...
   Faces faces;    ///< of a surface; of a label map that of both leaflets
-  std::vector<std::string> labels;  ///< n or none; of tips and chordae "AL" or "PM"
-  Errors problems;                  ///< of the reader that its name calls for
+  std::vector<std::string> labels;     ///< n or none; of tips and chordae "AL" or "PM"
+  Errors problems;                     ///< of the reader that its name calls for
+  std::vector<SourcePart> parts = {};  ///< the labels of a label map, not yet taken as anything
 };
 
 FilePreview preview_file(const NamedFile& file);

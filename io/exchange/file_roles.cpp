@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/valve/problem_list.h"
+#include "io/exchange/companion_files.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/part_names.h"
 #include "io/image/label_map.h"
@@ -172,12 +173,18 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
 }
 
 Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
+  const std::size_t count = files.size();
+  Expected<CompleteFiles> complete = completed(std::move(files));
+  if (!complete) return complete.errors();
+  files = std::move(complete->files);
+  const std::vector<std::size_t>& given = complete->given;
   const std::vector<GuessedRole> roles = guessed_roles(files);
   ProblemList problems;
   SortedFiles sorted;
+  sorted.decisions = std::move(complete->decisions);
   std::map<FileRole, std::size_t> first;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string path = "/files/" + std::to_string(i);
+    const std::string path = "/files/" + std::to_string(given[i]);
     const FileRole role = roles[i].role;
     if (role == FileRole::None && part_of_file(files[i].name) == NamedPart::OtherLeaflet) {
       problems.add(ErrorCode::Unsupported, path,
@@ -188,7 +195,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
     if (role == FileRole::None) {
       problems.add(
           ErrorCode::Unsupported, path,
-          "does not tell what it holds; must be a label map (.nrrd, .nii, .nii.gz), one or "
+          "does not tell what it holds; must be a label map (.nrrd, .nii, .nii.gz, .mha), one or "
           "two meshes named anterior and posterior, or markups or a table of annulus, "
           "chordae or tips; or give it by its option (--leaflet, --annulus, ...)");
       continue;
@@ -198,12 +205,12 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
         !(is_leaflet(role) && is_scallop(files[i].name) && is_scallop(files[other->second].name))) {
       problems.add(ErrorCode::BadReference, path,
                    std::string("is ") + words_of(role) + ", as is file " +
-                       std::to_string(other->second + 1) + "; must be one of each");
+                       std::to_string(given[other->second] + 1) + "; must be one of each");
       continue;
     }
     sorted.decisions.push_back({"files",
-                                "file " + std::to_string(i + 1) + " of " +
-                                    std::to_string(files.size()) + " (." +
+                                "file " + std::to_string(given[i] + 1) + " of " +
+                                    std::to_string(count) + " (." +
                                     format_of(files[i].name).substr(0, 8) + ") is " +
                                     (roles[i].reason == kBoth      ? "both leaflets"
                                      : roles[i].reason == kUnnamed ? "one of the leaflets"
@@ -214,7 +221,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
   const auto place = [&](FileRole role, const std::string& pointer, auto take) {
     const auto found = first.find(role);
     if (found == first.end()) return;
-    sorted.places.emplace_back(pointer, found->second);
+    sorted.places.emplace_back(pointer, given[found->second]);
     take(std::move(files[found->second]));
   };
   ImportFiles& parts = sorted.files;
@@ -227,8 +234,8 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
     std::string called;
     for (std::size_t i = 0; i < files.size(); ++i) {
       if (roles[i].role != side) continue;
-      called += (called.empty() ? "" : ", ") + std::to_string(i + 1);
-      sorted.places.emplace_back("/leaflets/" + std::to_string(parts.leaflets.size()), i);
+      called += (called.empty() ? "" : ", ") + std::to_string(given[i] + 1);
+      sorted.places.emplace_back("/leaflets/" + std::to_string(parts.leaflets.size()), given[i]);
       parts.leaflets.push_back(std::move(files[i]));
     }
     parts.order.called[side == FileRole::Anterior ? 0 : 1] =

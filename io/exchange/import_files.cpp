@@ -5,11 +5,14 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/valve/contour.h"
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/mesh_leaflets.h"
 #include "io/exchange/stated_axes.h"
+#include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
 
 namespace coapt {
@@ -22,7 +25,8 @@ void take(Expected<T> read, const std::string& pointer, ProblemList& problems, T
     target = *std::move(read);
   } else {
     for (const Error& error : read.errors()) {
-      const bool below = error.path == pointer || error.path.starts_with(pointer + "/");
+      const bool below = error.path == pointer || error.path.starts_with(pointer + "/") ||
+                         error.path.starts_with("/label_numbers");
       problems.add(error.code, below ? error.path : pointer + error.path, error.message);
     }
   }
@@ -111,19 +115,22 @@ void take_labels(const ImportFiles& files, const ImportReading& reading, ImportS
     return problems.add(ErrorCode::UnknownField, "/labels",
                         "cannot be given together with leaflets: its labels are the leaflets");
   std::optional<LabelMap> map;
-  take(read_label_map(files.labels->bytes, reading.most_voxels), "/labels", problems, map);
+  take(read_label_map(files.labels->bytes, reading.most_voxels, reading.phase), "/labels", problems,
+       map);
   if (!map) return;
   std::optional<std::string> placed;
   if (reading.series) take(place(*map, *reading.series), "/series", problems, placed);
   if (!problems.empty()) return;
   if (placed) source.decisions.push_back({"series", *placed, ""});
-  Expected<LabelParts> parts = label_parts(*map, reading.labels, !files.annulus);
+  Expected<LabelParts> parts =
+      label_parts(*map, reading.labels, {!files.annulus.has_value(), reading.phase > 0});
   if (!parts) {
     for (const Error& error : parts.errors()) problems.add(error.code, error.path, error.message);
     return;
   }
   source.leaflets = std::move(parts->leaflets);
   source.order = std::move(parts->order);
+  source.parts = std::move(parts->parts);
   source.unit = LengthUnit::Millimetre;
   if (!files.annulus) source.annulus_mm = std::move(parts->annulus_mm);
   source.decisions.insert(source.decisions.end(), parts->decisions.begin(), parts->decisions.end());
@@ -138,15 +145,16 @@ void take_parts(const ImportFiles& files, const ImportReading& reading, AxesOfFi
                 ImportSource& source, ProblemList& problems) {
   const NamedFile& file = files.leaflets[0];
   std::optional<MeshParts> parts;
-  take(read_mesh_parts(file.bytes, format_of(file.name), reading.packed), "/leaflets/0", problems,
-       parts);
+  take(read_mesh_parts(file.bytes, format_of(file.name), reading.most_unpacked), "/leaflets/0",
+       problems, parts);
   const bool turned = axes.turned(file, "leaflets");
   if (!parts) return;
   std::optional<MeshLeaflets> found;
-  take(leaflets_of(*std::move(parts)), "/leaflets/0", problems, found);
+  take(leaflets_of(*std::move(parts), reading.labels), "/leaflets/0", problems, found);
   if (!found) return;
   source.leaflets = std::move(found->leaflets);
   source.order = std::move(found->order);
+  source.parts = std::move(found->parts);
   source.decisions.insert(source.decisions.end(), found->decisions.begin(), found->decisions.end());
   if (turned)
     for (TriangleMesh& mesh : source.leaflets) turn_axes(mesh.vertices_mm);
@@ -162,7 +170,7 @@ void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesO
   for (std::size_t i = 0; i < files.leaflets.size(); ++i) {
     const NamedFile& file = files.leaflets[i];
     TriangleMesh mesh;
-    take((reading.packed ? read_packed_mesh : read_mesh)(file.bytes, format_of(file.name)),
+    take(read_mesh(file.bytes, format_of(file.name), reading.most_unpacked),
          "/leaflets/" + std::to_string(i), problems, mesh);
     if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
     const bool posterior = files.posterior_from ? i >= *files.posterior_from : i > 0;
@@ -172,6 +180,23 @@ void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesO
     if (!side.empty())
       source.leaflets.push_back(side.size() == 1 ? std::move(side[0]) : joined(side));
   source.order = files.order;
+}
+
+/// An annulus of so few points that their polygon is more than 0.3 % too short is the smooth curve through them.
+void smooth_few_points(ImportSource& source) {
+  constexpr Index kLeast = 6, kFew = 24;
+  const Index count = source.annulus_mm.rows();
+  if (count < kLeast || count >= kFew || !source.annulus_mm.allFinite()) return;
+  Markup curve;
+  curve.points_mm = source.annulus_mm;
+  const Expected<Points> drawn = drawn_closed_curve(curve);
+  if (!drawn) return;
+  const double polygon = ArcLength(source.annulus_mm).total_mm();
+  source.annulus_mm = *drawn;
+  source.decisions.push_back(
+      {"annulus", "the smooth closed curve through its " + std::to_string(count) + " points",
+       "straight sides would be " +
+           significant(100.0 * (1.0 - polygon / ArcLength(*drawn).total_mm()), 2) + " % shorter"});
 }
 
 }  // namespace
@@ -189,8 +214,9 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   else if (reading.series)
     problems.add(ErrorCode::MissingField, "/labels", "is missing: the series places a label map");
   if (files.annulus) {
-    take(read_closed_loop(files.annulus->bytes, format_of(files.annulus->name)), "/annulus",
-         problems, source.annulus_mm);
+    const std::string format = format_of(files.annulus->name);
+    take(read_closed_loop(files.annulus->bytes, format), "/annulus", problems, source.annulus_mm);
+    if (is_table_format(format)) smooth_few_points(source);
     if (axes.turned(*files.annulus, "annulus", format_of(files.annulus->name) == "json"))
       turn_axes(source.annulus_mm);
   }

@@ -30,7 +30,8 @@ struct ImportReading {
   LabelNumbers labels;
   std::optional<PatientAxes> axes = {};      ///< of meshes and tables; none: as they say, else LPS
   std::optional<ImageGeometry> series = {};  ///< of the images that the labels were drawn on
-  bool packed = false;                       ///< .vtp and .vtu, too (read_packed_mesh)
+  std::size_t most_unpacked = kMostUnpackedSent;  ///< bytes of the arrays of a .vtp or .vtu
+  int phase = 0;  ///< of a label map of several, from 1; 0: the first that has labels
   Index most_voxels = kMostVoxels;
 };
 

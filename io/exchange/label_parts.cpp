@@ -222,6 +222,13 @@ class LabelChoice {
     tell(is_unknown, "nothing tells that they are of the leaflets or the annulus", true);
   }
 
+  std::vector<SourcePart> parts() const {
+    std::vector<SourcePart> parts;
+    for (const Candidate& of : all_)
+      parts.push_back({of.number, of.part ? option_of(*of.part) : ""});
+    return parts;
+  }
+
   /// "label 4", "labels 2, 4 and 5".
   std::string called(Part part) const {
     const auto labels = of(part);
@@ -281,7 +288,8 @@ class LabelChoice {
         box.count};
   }
 
-  /// Those that are like the known leaflet or, without one, like label 1 or, if that is much thicker, the thinnest.
+  /// Those that are like the known leaflet or, without one, like label 1 or, if that is much thicker, the thinnest; like that
+  /// is another one, if any two are alike: remains of an annulus are as thin.
   std::vector<Candidate*> leaflet_like(const std::vector<Candidate*>& free, Part known) const {
     if (free.size() > kMostLookedAt) return free;
     std::vector<LabelShape> shapes;
@@ -290,9 +298,15 @@ class LabelChoice {
     if (const auto leaflet = of(known); !leaflet.empty()) {
       like = shape_of(*leaflet[0]);
     } else {
-      like = *std::min_element(
-          shapes.begin(), shapes.end(),
-          [](const LabelShape& a, const LabelShape& b) { return a.thickness < b.thickness; });
+      const auto has_other = [&](const LabelShape& one) {
+        return std::count_if(shapes.begin(), shapes.end(), [&](const LabelShape& other) {
+                 return is_like(other, one);
+               }) > 1;
+      };
+      const bool paired = std::any_of(shapes.begin(), shapes.end(), has_other);
+      like.thickness = 1e300;
+      for (const LabelShape& shape : shapes)
+        if ((!paired || has_other(shape)) && shape.thickness < like.thickness) like = shape;
       for (std::size_t i = 0; i < free.size(); ++i)
         if (free[i]->number == kConventions[0].anterior && is_like(shapes[i], like))
           like = shapes[i];
@@ -348,8 +362,14 @@ std::string frame_words(const LabelMap& map) {
 
 }  // namespace
 
+std::vector<SourcePart> labels_in(const LabelMap& map) {
+  std::vector<SourcePart> labels;
+  for (const Candidate& candidate : candidates(map)) labels.push_back({candidate.number});
+  return labels;
+}
+
 Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& numbers,
-                                 bool with_annulus) {
+                                 const LabelUse& with) {
   ProblemList problems;
   LabelChoice choice(map, problems);
   choice.take_given(Part::Anterior, numbers.anterior);
@@ -363,10 +383,11 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   if (!problems.empty()) return std::move(problems).take();
   LabelParts parts;
   parts.order = choice.order();
+  parts.parts = choice.parts();
   for (const Part part : kParts) {
     const auto labels = choice.of(part);
     if (labels.empty()) continue;
-    if (part == Part::Annulus && !with_annulus) {
+    if (part == Part::Annulus && !with.annulus) {
       parts.decisions.push_back({"labels", choice.called(part) + " not used",
                                  "it is the annulus, which came as a file of its own"});
       continue;
@@ -392,6 +413,14 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   }
   if (!problems.empty()) return std::move(problems).take();
   choice.tell_left_over(parts.decisions);
+  if (map.phases > 1)
+    parts.decisions.push_back(
+        {"labels",
+         "phase " + std::to_string(map.phase) + " of " + std::to_string(map.phases) + " is taken",
+         with.phase_given ? "as given"
+                          : "it is the first that has labels; say --phase if "
+                            "another is right",
+         !with.phase_given, with.phase_given ? 1.0 : 0.5});
   if (!map.frame_doubt.empty())
     parts.decisions.push_back({"labels", map.frame_doubt, "the header says two things", true, 0.5});
   parts.decisions.push_back(

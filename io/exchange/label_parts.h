@@ -17,17 +17,26 @@ struct LabelNumbers {
   std::vector<int> anterior, posterior, annulus;
 };
 
+struct LabelUse {
+  bool annulus = true;       ///< false: it came as a file of its own
+  bool phase_given = false;  ///< LabelMap::phase, by the user
+};
+
 struct LabelParts {
   std::vector<TriangleMesh>
       leaflets;  ///< the anterior, then the posterior one, as `order` says; closed, oriented outwards
   LeafletOrder order;
-  Points annulus_mm;  ///< empty if there is no such label
+  Points annulus_mm;              ///< empty if there is no such label
+  std::vector<SourcePart> parts;  ///< every label
   std::vector<ImportDecision> decisions;
 };
+
+/// The labels of a map as LabelNumbers calls them, none taken as anything.
+std::vector<SourcePart> labels_in(const LabelMap& map);
 
 /// Errors: labels that are not there ("/label_numbers/anterior"), more of them than leaflets, and those of label_surface() and
 /// label_curve(). No decision repeats a name that stands in the file.
 Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& numbers,
-                                 bool with_annulus);
+                                 const LabelUse& with = {});
 
 }  // namespace coapt

@@ -1,6 +1,7 @@
 #include "io/exchange/mesh_leaflets.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/valve/problem_list.h"
 #include "io/exchange/part_names.h"
@@ -26,13 +27,63 @@ TriangleMesh together(const MeshParts& parts, const std::vector<std::size_t>& wh
 
 }  // namespace
 
-Expected<MeshLeaflets> leaflets_of(MeshParts parts) {
+namespace {
+
+/// What a user says of each part, by its place in the file.
+Expected<std::map<std::size_t, NamedPart>> given_parts(const MeshParts& parts,
+                                                       const LabelNumbers& given) {
+  std::map<std::size_t, NamedPart> meant;
+  ProblemList problems;
+  const auto take = [&](const std::vector<int>& numbers, NamedPart part, const char* name) {
+    for (const int number : numbers) {
+      const auto index = static_cast<std::size_t>(number) - 1;
+      const std::string path = std::string("/label_numbers/") + name;
+      if (number < 1 || index >= parts.parts.size())
+        problems.add(ErrorCode::BadReference, path,
+                     "is " + std::to_string(number) + "; the file has " +
+                         std::to_string(parts.parts.size()) + " parts (" + parts.told_apart_by +
+                         "), which count from 1");
+      else if (!meant.try_emplace(index, part).second)
+        problems.add(ErrorCode::BadReference, "/label_numbers",
+                     "has part " + std::to_string(number) +
+                         " for two parts of the valve; each must have its own");
+    }
+  };
+  take(given.anterior, NamedPart::Anterior, "anterior");
+  take(given.posterior, NamedPart::Posterior, "posterior");
+  take(given.annulus, NamedPart::Annulus, "annulus");
+  if (!problems.empty()) return std::move(problems).take();
+  return meant;
+}
+
+/// "say --label anterior=2 --label posterior=1": the opposite of what was taken.
+std::string opposite(const std::vector<std::size_t>& anterior,
+                     const std::vector<std::size_t>& posterior) {
+  std::string text = "say";
+  for (const auto& [parts, name] : {std::pair(&posterior, "anterior"), {&anterior, "posterior"}})
+    for (const std::size_t part : *parts)
+      text += std::string(" --label ") + name + '=' + std::to_string(part + 1);
+  return text;
+}
+
+}  // namespace
+
+Expected<MeshLeaflets> leaflets_of(MeshParts parts, const LabelNumbers& given) {
+  const auto said = given_parts(parts, given);
+  if (!said) return said.errors();
   MeshLeaflets found;
   std::vector<std::size_t> anterior, posterior, unnamed, annulus, others, foreign;
   for (std::size_t i = 0; i < parts.parts.size(); ++i) {
     const MeshPart& part = parts.parts[i];
     const bool surface = part.mesh.faces.rows() > 0;
-    const std::optional<NamedPart> meant = part_named(part.name);
+    const auto as_given = said->find(i);
+    const bool is_given = as_given != said->end();
+    std::optional<NamedPart> meant = is_given ? as_given->second : part_named(part.name);
+    // A side that was given is not made of names, too.
+    if (!is_given && ((meant == NamedPart::Anterior && !given.anterior.empty()) ||
+                      (meant == NamedPart::Posterior && !given.posterior.empty()) ||
+                      (meant == NamedPart::Annulus && !given.annulus.empty())))
+      meant = meant == NamedPart::Annulus ? NamedPart::Other : std::optional<NamedPart>();
     if (!surface && part.line_mm.rows() >= kLeastOfLine && (meant == NamedPart::Annulus || !meant))
       annulus.push_back(i);
     else if (surface && meant == NamedPart::Anterior)
@@ -66,7 +117,7 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts) {
     unnamed.clear();
     found.order.claim = LeafletClaim::Guessed;
   } else {
-    found.order.claim = LeafletClaim::Named;
+    found.order.claim = said->empty() ? LeafletClaim::Named : LeafletClaim::Given;
   }
   if (anterior.empty() && posterior.empty() && unnamed.size() == 1) {
     found.leaflets = {together(parts, unnamed)};
@@ -79,16 +130,23 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts) {
   } else {
     found.leaflets = {together(parts, anterior), together(parts, posterior)};
     found.order.called = {called(anterior), called(posterior)};
-    found.order.swap = "name the parts the other way round, or give each as a file of its own";
+    found.order.swap = opposite(anterior, posterior);
   }
   if (parts.parts.size() > 1) {
     std::string used = found.leaflets.size() == 2 ? found.order.called[0] + " and " +
                                                         found.order.called[1] + " are the leaflets"
                                                   : "one part is both leaflets";
     if (annulus.size() == 1) used += ", " + called(annulus) + " is the annulus";
-    found.decisions.push_back(
-        {"files", of + ": " + used,
-         found.order.claim == LeafletClaim::Guessed ? "the only surfaces" : "by name"});
+    found.decisions.push_back({"files", of + ": " + used,
+                               found.order.claim == LeafletClaim::Guessed ? "the only surfaces"
+                               : found.order.claim == LeafletClaim::Given ? "as given"
+                                                                          : "by name"});
+    for (std::size_t i = 0; i < parts.parts.size(); ++i)
+      found.parts.push_back({static_cast<int>(i) + 1});
+    for (const auto& [role, name] :
+         {std::pair(&anterior, "anterior"), {&posterior, "posterior"}, {&annulus, "annulus"}})
+      for (const std::size_t part : *role)
+        if (role != &annulus || annulus.size() == 1) found.parts[part].part = name;
   }
   if (annulus.size() == 1) {
     found.annulus_mm = std::move(parts.parts[annulus[0]].line_mm);

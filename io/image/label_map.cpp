@@ -1,16 +1,21 @@
 #include "io/image/label_map.h"
 
+#include "io/image/metaimage.h"
 #include "io/image/nifti.h"
 #include "io/image/nrrd.h"
 
 namespace coapt {
 
 bool is_label_map_format(std::string_view format) {
-  return format == "nrrd" || format == "nii" || format == "gz";
+  return format == "nrrd" || format == "nhdr" || format == "nii" || format == "gz" ||
+         format == "mha" || format == "mhd";
 }
 
-Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels) {
-  return bytes.starts_with("NRRD") ? read_nrrd(bytes, most_voxels) : read_nifti(bytes, most_voxels);
+Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels, int phase) {
+  if (bytes.starts_with("NRRD")) return read_nrrd(bytes, most_voxels, phase);
+  if (bytes.starts_with("ObjectType") || bytes.starts_with("NDims"))
+    return read_metaimage(bytes, most_voxels, phase);
+  return read_nifti(bytes, most_voxels, phase);
 }
 
 std::vector<LabelAt> labels_of(const LabelMap& map) {

@@ -1,5 +1,5 @@
 // Label maps: images whose voxels say which part of the anatomy they are of, as segmentation tools write them (NRRD,
-// NIfTI). The readers are our own: the service is sent such files by strangers and has them in memory, where libraries of
+// NIfTI, MetaImage). The readers are our own: the service is sent such files by strangers and has them in memory, where libraries of
 // either format open files by name, follow references to others, or end the program; and of both formats a label map
 // needs little.
 #pragma once
@@ -23,7 +23,8 @@ struct LabelName {
 struct LabelMap {
   std::array<Index, 3> size = {0, 0, 0};  ///< voxels along i, j, k
   int layers = 1;                         ///< labels of different layers may overlap
-  std::vector<std::uint16_t> voxels;      ///< ((layer * size[2] + k) * size[1] + j) * size[0] + i
+  int phase = 1, phases = 1;  ///< of a file of several states of the heart: which it is, from 1
+  std::vector<std::uint16_t> voxels;  ///< ((layer * size[2] + k) * size[1] + j) * size[0] + i
   Eigen::Matrix4d to_lps_mm = Eigen::Matrix4d::Identity();  ///< of the centre of voxel (i, j, k, 1)
   bool placed = false;  ///< false: the file tells the voxels' size, not where the patient is
   std::vector<LabelName> names;
@@ -45,11 +46,15 @@ inline constexpr Index kMostVoxels = Index{1} << 27;
 /// Of what a service is sent: 128 MiB in memory, a CT of 512 x 512 x 256.
 inline constexpr Index kMostVoxelsSent = Index{1} << 26;
 
-/// Whether a format_of() file name extension ("nrrd", "nii", "gz") may be one of these two.
+/// Of one file.
+inline constexpr int kMostPhases = 1000;
+
+/// Whether a format_of() file name extension ("nrrd", "nhdr", "nii", "gz", "mha", "mhd") may be one of these.
 bool is_label_map_format(std::string_view format);
 
-/// Either, by its first bytes.
-Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels = kMostVoxels);
+/// Any of them, by its first bytes. @param phase from 1; 0: the first that has labels. Errors at "/phase": there are not so many.
+Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels = kMostVoxels,
+                                  int phase = 0);
 
 /// All that are there but 0, by layer and value.
 std::vector<LabelAt> labels_of(const LabelMap& map);

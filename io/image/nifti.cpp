@@ -202,11 +202,14 @@ void read_size(const HeaderFields& header, Index most_voxels, LabelMap& map,
     map.size[i] = static_cast<Index>(size);
     voxels *= map.size[i];
   }
-  for (std::size_t i = 4; good && i <= static_cast<std::size_t>(count); ++i)
-    good = header.dim(i) == 1.0;
+  for (std::size_t i = 4; good && i <= static_cast<std::size_t>(count); ++i) {
+    good = header.dim(i) == 1.0 || (i == 4 && header.dim(i) > 1.0 && header.dim(i) <= kMostPhases);
+    if (good && i == 4) map.phases = static_cast<int>(header.dim(i));
+  }
   if (!good)
     problems.add(ErrorCode::OutOfRange, "/dim",
-                 "must be one volume of at most " + std::to_string(most_voxels) + " voxels");
+                 "must be one volume of at most " + std::to_string(most_voxels) +
+                     " voxels, or up to 1000 of them as phases");
 }
 
 void check_numbers(const HeaderFields& header, ProblemList& problems) {
@@ -227,7 +230,7 @@ void check_numbers(const HeaderFields& header, ProblemList& problems) {
 
 }  // namespace
 
-Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels) {
+Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels, int phase) {
   const bool gzip = bytes.starts_with("\x1f\x8b");
   ByteStream stream(bytes, gzip);
   std::array<char, kHeader2> head{};
@@ -263,9 +266,7 @@ Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels) {
   layout.type = *type_of(header.datatype());
   layout.order = order;
   layout.count = static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]);
-  Expected<std::vector<std::uint16_t>> labels = read_labels(stream, layout);
-  if (!labels) return labels.errors();
-  map.voxels = *std::move(labels);
+  if (Errors errors = read_phase(stream, layout, phase, map); !errors.empty()) return errors;
   return map;
 }
 

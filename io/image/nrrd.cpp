@@ -152,14 +152,15 @@ std::optional<Space> space_of(const std::string& name) {
 
 struct Axes {
   std::vector<Index> sizes;
-  int list = -1;  ///< the axis of layers, or -1
+  int list = -1;      ///< the axis of layers or phases, or -1
+  bool time = false;  ///< it is of phases
   Index layers() const { return list < 0 ? 1 : sizes[static_cast<std::size_t>(list)]; }
 };
 
 class NrrdReader {
  public:
-  NrrdReader(Header header, Index most_voxels)
-      : header_(std::move(header)), most_voxels_(most_voxels) {}
+  NrrdReader(Header header, Index most_voxels, int phase)
+      : header_(std::move(header)), most_voxels_(most_voxels), phase_(phase) {}
 
   Expected<LabelMap> read() {
     check_attached();
@@ -167,6 +168,8 @@ class NrrdReader {
     if (problems_.empty()) read_geometry(axes);
     if (!problems_.empty()) return std::move(problems_).take();
     if (Errors errors = read_voxels(axes); !errors.empty()) return errors;
+    if (axes.time)
+      if (Errors errors = choose_phase(); !errors.empty()) return errors;
     read_names();
     return std::move(map_);
   }
@@ -175,7 +178,7 @@ class NrrdReader {
   void check_attached() {
     if (header_.fields.contains("data file") || header_.fields.contains("datafile"))
       problems_.add(ErrorCode::Unsupported, "/data file",
-                    "names another file; must be attached: save as .nrrd, not .nhdr");
+                    "names another file; give that beside this one, or save as .nrrd");
   }
 
   Axes read_axes() {
@@ -200,11 +203,15 @@ class NrrdReader {
       voxels *= size;
     }
     if (count == 4) axes.list = list_axis();
+    axes.time = axes.list >= 0 && is_time(axes.list);
     if (count == 4 && axes.list < 0)
       problems_.add(
           ErrorCode::Unsupported, "/kinds",
-          "must tell one axis of layers (list) of the four, whose space direction is none");
-    else if (axes.layers() > kMostLayers)
+          "must tell one axis of layers (list) or phases (time) of the four, whose space direction "
+          "is none");
+    else if (axes.time && axes.layers() > kMostPhases)
+      problems_.add(ErrorCode::OutOfRange, "/sizes", "has more than the 1000 phases accepted");
+    else if (!axes.time && axes.layers() > kMostLayers)
       problems_.add(ErrorCode::OutOfRange, "/sizes", "has more than the 64 layers accepted");
     return axes;
   }
@@ -216,10 +223,40 @@ class NrrdReader {
     int found = -1, count = 0;
     for (std::size_t i = 0; i < kinds.size() && i < 4; ++i) {
       if (kinds[i] == "domain" || kinds[i] == "space") continue;
-      if (kinds[i] == "list" || kinds[i] == "vector") found = static_cast<int>(i);
+      if (kinds[i] == "list" || kinds[i] == "vector" || kinds[i] == "time")
+        found = static_cast<int>(i);
       ++count;
     }
     return kinds.size() == 4 && count == 1 ? found : -1;
+  }
+
+  /// By its kind, or as Slicer's sequences say it of a list.
+  bool is_time(int axis) const {
+    const std::string kinds_text = lower(header_.field("kinds"));
+    if (words(kinds_text)[static_cast<std::size_t>(axis)] == "time") return true;
+    const auto key = header_.keys.find("axis " + std::to_string(axis) + " index type");
+    return key != header_.keys.end() && key->second == "time";
+  }
+
+  /// Of the layers that were read as phases.
+  Errors choose_phase() {
+    map_.phases = map_.layers;
+    map_.layers = 1;
+    if (phase_ > map_.phases)
+      return {
+          Error{ErrorCode::OutOfRange, "/phase",
+                "is " + std::to_string(phase_) + "; the file has " + std::to_string(map_.phases)}};
+    const auto volume = static_cast<std::ptrdiff_t>(map_.size[0] * map_.size[1] * map_.size[2]);
+    const auto begin_of = [&](int phase) { return map_.voxels.begin() + (phase - 1) * volume; };
+    map_.phase = std::max(1, phase_);
+    if (phase_ == 0) {
+      const auto first = std::find_if(map_.voxels.begin(), map_.voxels.end(),
+                                      [](std::uint16_t label) { return label != 0; });
+      if (first != map_.voxels.end())
+        map_.phase = 1 + static_cast<int>((first - map_.voxels.begin()) / volume);
+    }
+    map_.voxels = std::vector<std::uint16_t>(begin_of(map_.phase), begin_of(map_.phase) + volume);
+    return {};
   }
 
   void read_geometry(const Axes& axes) {
@@ -362,16 +399,17 @@ class NrrdReader {
 
   Header header_;
   Index most_voxels_;
+  int phase_;
   LabelMap map_;
   ProblemList problems_;
 };
 
 }  // namespace
 
-Expected<LabelMap> read_nrrd(std::string_view bytes, Index most_voxels) {
+Expected<LabelMap> read_nrrd(std::string_view bytes, Index most_voxels, int phase) {
   Expected<Header> header = header_of(bytes);
   if (!header) return header.errors();
-  return NrrdReader(*std::move(header), most_voxels).read();
+  return NrrdReader(*std::move(header), most_voxels, phase).read();
 }
 
 }  // namespace coapt

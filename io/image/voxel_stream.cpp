@@ -16,9 +16,9 @@
 namespace coapt {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 16;       // of a multiple of eight bytes
-constexpr std::size_t kMostInput = 1U << 30;  // handed to zlib at once, which counts in 32 bits
-constexpr int kGzipWindow = 16 + MAX_WBITS;   // zlib's manual, inflateInit2
+constexpr std::size_t kBlock = 1 << 16;        // of a multiple of eight bytes
+constexpr std::size_t kMostInput = 1U << 30;   // handed to zlib at once, which counts in 32 bits
+constexpr int kEitherWindow = 32 + MAX_WBITS;  // gzip or zlib: zlib's manual, inflateInit2
 
 const Error kTruncated = {ErrorCode::InputOutput, "/data", "is truncated or damaged"};
 
@@ -58,10 +58,10 @@ void ByteStream::Ender::operator()(z_stream* stream) const {
   delete stream;
 }
 
-ByteStream::ByteStream(std::string_view bytes, bool gzip) : bytes_(bytes) {
-  if (!gzip) return;
+ByteStream::ByteStream(std::string_view bytes, bool packed) : bytes_(bytes) {
+  if (!packed) return;
   unpacker_.reset(new z_stream{});
-  inflateInit2(unpacker_.get(), kGzipWindow);
+  inflateInit2(unpacker_.get(), kEitherWindow);
 }
 
 bool ByteStream::read(char* into, std::size_t size) {
@@ -133,6 +133,26 @@ Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const Voxel
       return read_as<double>(stream, layout);
   }
   return kTruncated;
+}
+
+Errors read_phase(ByteStream& stream, const VoxelLayout& of_a_phase, int phase, LabelMap& map) {
+  if (phase > map.phases)
+    return {Error{ErrorCode::OutOfRange, "/phase",
+                  "is " + std::to_string(phase) + "; the file has " + std::to_string(map.phases)}};
+  std::vector<std::uint16_t> first;
+  for (int at = 1; at <= map.phases; ++at) {
+    Expected<std::vector<std::uint16_t>> labels = read_labels(stream, of_a_phase);
+    if (!labels) return labels.errors();
+    const bool empty = std::all_of(labels->begin(), labels->end(), [](auto l) { return l == 0; });
+    if (at == phase || (phase == 0 && !empty)) {
+      map.voxels = *std::move(labels);
+      map.phase = at;
+      return {};
+    }
+    if (at == 1) first = *std::move(labels);
+  }
+  map.voxels = std::move(first);
+  return {};
 }
 
 Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count) {

@@ -9,16 +9,16 @@
 #include <string_view>
 #include <vector>
 
-#include "core/valve/types.h"
+#include "io/image/label_map.h"
 
 struct z_stream_s;  // of zlib
 
 namespace coapt {
 
-/// Bytes as they stand, or out of gzip.
+/// Bytes as they stand, or out of gzip or zlib.
 class ByteStream {
  public:
-  ByteStream(std::string_view bytes, bool gzip);
+  ByteStream(std::string_view bytes, bool packed);
 
   /// Fills `size` bytes. False: there are not as many, or they are damaged.
   bool read(char* into, std::size_t size);
@@ -46,6 +46,10 @@ std::size_t bytes_of(VoxelType type);
 
 /// Errors at "/data": truncated or damaged; numbers that are not whole or not from 0 to 65535.
 Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const VoxelLayout& layout);
+
+/// The voxels of one phase of a map into it, of phases that stand one after the other. @param phase from 1; 0: the first that has
+/// labels, or the first. @pre map.phases
+Errors read_phase(ByteStream& stream, const VoxelLayout& of_a_phase, int phase, LabelMap& map);
 
 /// Numbers as words.
 Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count);

@@ -187,7 +187,9 @@ double saddle_towards(const Vec3& z, const Vec3& x, const Points& centred) {
   return 2.0 * (height.array() * cosine).mean();
 }
 
-Expected<Frame> find_frame(const Points& annulus, const ImportSource& source, bool closed) {
+Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
+                           const FrameOptions& options) {
+  const bool closed = options.closed;
   const Vec3 origin = mean_by_arc(annulus);
   const Points centred = annulus.rowwise() - origin.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
@@ -227,7 +229,16 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source, bo
             significant(2.0 * std::abs(saddle_mm), 2) + " mm" +
             (agree ? (saddle_tells ? " to the same side" : "") : " to the other side"),
         !agree && (hanging_tells || hanging_mm >= kLeastHanging_mm), agree ? 1.0 : 0.7};
+    if (options.flip) {
+      z = -z;
+      x = -x;
+      frame.atrium = {"atrium", "on the other side than it looks, as given", frame.atrium.reason};
+    }
   } else {
+    if (options.flip)
+      return Error{ErrorCode::UnknownField, "/flip",
+                   "cannot be given where papillary tips are: they tell which side the ventricle "
+                   "is on"};
     const Vec3 lateral = mean_tip(tips, Side::Anterolateral);
     const Vec3 medial = mean_tip(tips, Side::Posteromedial);
     if (z.dot(0.5 * (lateral + medial) - origin) > 0.0) z = -z;
@@ -275,13 +286,12 @@ void check_framed(const FramedSource& framed, ProblemList& problems) {
 
 }  // namespace
 
-Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae,
-                                         bool closed) {
+Expected<FramedSource> into_import_frame(const ImportSource& source, const FrameOptions& options) {
   ProblemList problems;
   check_leaflets(source.leaflets, problems);
   check_annulus(source.annulus_mm, problems);
   check_pressed(source, problems);
-  if (draws_chordae)
+  if (options.draws_chordae)
     check_tips(source, problems);
   else
     check_chordae(source.chordae, problems);
@@ -289,7 +299,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
   if (Errors mixed = mixed_units(source); !mixed.empty()) return mixed;
   const std::vector<Eigen::Index> kept = without_repeats(source.annulus_mm);
   const Points loop = source.annulus_mm(kept, Eigen::all);
-  const Expected<Frame> frame = find_frame(loop, source, closed);
+  const Expected<Frame> frame = find_frame(loop, source, options);
   if (!frame) return frame.errors();
   FramedSource framed;
   framed.annulus_mm = frame->into(loop);
@@ -333,7 +343,8 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_
       "origin annulus centroid, " +
           (source.chordae.empty() && source.tips.empty()
                ? std::string("y from the posterior to the anterior sheet, z ") +
-                     (closed ? "to where the annulus's saddle rises" : "away from the leaflets") +
+                     (options.closed ? "to where the annulus's saddle rises"
+                                     : "away from the leaflets") +
                      ": no papillary tips say whether the files are mirrored"
                : std::string("x from the anterolateral to the posteromedial papillary tip within "
                              "the annulus plane, z away from the tips"))};

@@ -24,10 +24,15 @@ struct FramedSource {
   ImportDecision atrium;  ///< which side of the annulus it is on; nothing where the tips tell
 };
 
+struct FrameOptions {
+  bool draws_chordae = false;
+  bool closed = false;  ///< the leaflets were imaged so
+  bool flip = false;    ///< ImportOptions::flip
+};
+
 /// Errors: what ImportSource lacks or has too much of, units that are not millimetres, an annulus
 /// that is not star-shaped, sheets in the wrong order, a mirrored input; pointers are those of
 /// ImportSource.
-Expected<FramedSource> into_import_frame(const ImportSource& source, bool draws_chordae,
-                                         bool closed);
+Expected<FramedSource> into_import_frame(const ImportSource& source, const FrameOptions& options);
 
 }  // namespace coapt

@@ -12,6 +12,7 @@
 namespace coapt {
 namespace {
 
+constexpr double kIslandsToCheck = 0.005;  // of a leaflet; a few stray voxels are less
 constexpr double kThickOfArea = 0.6;  // with an opposite side, of a shell that has an edge
 constexpr const char *kAnterior = "anterior leaflet", *kPosterior = "posterior leaflet";
 constexpr int kToldHoles = 5;
@@ -48,7 +49,8 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
         {name,
          counted(sheet.islands, "loose piece") + " of " + significant(sheet.islands_mm2, 2) +
              " mm2 dropped",
-         "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) + " mm2", true});
+         "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) + " mm2",
+         sheet.islands_mm2 > kIslandsToCheck * sheet.area_mm2});
   if (sheet.branching_edges > 0)
     told.push_back({name,
                     counted(sheet.branching_edges, "edge") +

@@ -11,6 +11,7 @@
 #include "io/mesh/import_sheets.h"
 #include "io/mesh/judged_state.h"
 #include "io/mesh/leaflet_order.h"
+#include "io/mesh/made_faults.h"
 #include "io/mesh/mesh_decisions.h"
 #include "io/mesh/plausibility.h"
 #include "io/mesh/skirt.h"
@@ -56,6 +57,17 @@ Vec3 pressed(const FramedSource& source, const Vec3& rest_mm) {
   return goes;
 }
 
+/// Errors at a leaflet begin with what the user calls it.
+Errors by_name(Errors errors, const std::array<std::string, 2>& called) {
+  for (Error& error : errors)
+    for (std::size_t i = 0; i < 2; ++i)
+      if (const std::string path = "/leaflets/" + std::to_string(i);
+          called[i] != LeafletOrder{}.called[i] && !error.message.starts_with(called[i]) &&
+          (error.path == path || error.path.starts_with(path + '/')))
+        error.message = called[i] + ' ' + error.message;
+  return errors;
+}
+
 /// With chordae that nobody has seen. @pre options.chordae_seed
 Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips,
                       const ImportOptions& options, std::vector<ImportDecision>& decisions) {
@@ -64,13 +76,7 @@ Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips,
   for (Eigen::Index i = 0; i < tips_mm.rows(); ++i)
     tips_mm.row(i) = tips[static_cast<std::size_t>(i)].position_mm.transpose();
   Expected<Valve> made = with_synthetic_chordae(std::move(valve), seed, tips_mm, options.budget);
-  if (!made) {
-    Errors errors = made.errors();
-    for (Error& error : errors)
-      if (!error.path.starts_with("/tips_mm"))
-        error.message = "of the resampled valve " + error.message;
-    return errors;
-  }
+  if (!made) return made.errors();
   decisions.push_back({"chordae",
                        "not seen; drawn from anatomy with seed " + std::to_string(seed) + ": " +
                            std::to_string(made->chordae.size()) +
@@ -104,20 +110,23 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   const LengthUnit unit = read.unit;
   if (Errors errors = impossible_size(source, unit); !errors.empty()) return errors;
   scale(source, in_mm(unit));
+  if (options.mirrored) unmirror(source);
   const Expected<std::vector<ImportDecision>> contour = contour_checks(source.annulus_mm);
   if (!contour) return contour.errors();
   Expected<SheetPreparation> prepared = prepare_sheets(source, options.budget);
-  if (!prepared) return prepared.errors();
+  if (!prepared) return by_name(prepared.errors(), source.order.called);
   const Expected<SettledOrder> order = settle_leaflet_order(source, options.trust_labels);
-  if (!order) return order.errors();
+  if (!order) return by_name(order.errors(), source.order.called);
+  std::array<std::string, 2> called = source.order.called;
+  if (order->swapped) std::swap(called[0], called[1]);
   if (order->swapped) swap_names(*prepared);
   const JudgedState state = judged_state(source, options, prepared->thickness);
   const Expected<FramedSource> framed =
-      into_import_frame(source, options.chordae_seed.has_value(), state.closed);
-  if (!framed) return framed.errors();
+      into_import_frame(source, {options.chordae_seed.has_value(), state.closed, options.flip});
+  if (!framed) return by_name(framed.errors(), called);
   const Expected<Skirt> skirt = resample_skirt(*framed, skirt_size(options.triangles),
                                                {state.closed, options.hidden_mm}, options.budget);
-  if (!skirt) return skirt.errors();
+  if (!skirt) return by_name(skirt.errors(), called);
   Valve valve;
   valve.name = source.name.empty() ? "imported" : source.name;
   valve.provenance = source.provenance;
@@ -134,7 +143,11 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
           ? closed_decisions(*skirt, options.hidden_mm, valve)
           : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value(), options.budget);
   std::vector<ImportDecision> first = {
-      {"units", to_string(unit), read.reason, read.look, read.confidence}, framed->change};
+      {"units", to_string(unit), read.reason, read.look, read.confidence}};
+  if (options.mirrored)
+    first.push_back(
+        {"frame", "every x of the files turned round", "they are a mirror image, as given"});
+  first.push_back(framed->change);
   if (!framed->atrium.subject.empty()) first.push_back(framed->atrium);
   first.insert(first.end(), loose.begin(), loose.end());
   first.insert(first.end(), order->decisions.begin(), order->decisions.end());
@@ -151,8 +164,8 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   if (!thickness_mm) return thickness_mm.errors();
   valve.tissue.thickness_mm = *thickness_mm;
   if (options.chordae_seed) {
-    Expected<Valve> made = drawn(std::move(valve), framed->tips, options, decisions);
-    if (!made) return made.errors();
+    Expected<Valve> made = drawn(valve, framed->tips, options, decisions);
+    if (!made) return made_faults(made.errors(), valve, called, unit);
     valve = *std::move(made);
   } else if (Errors errors = add_imported_chordae(*framed, *skirt, options, valve, decisions);
              !errors.empty()) {
@@ -162,14 +175,14 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
     return errors;
   decisions.insert(decisions.begin(), source.decisions.begin(), source.decisions.end());
   for (const ImportDecision& decision : decisions) valve.provenance.push_back(sentence(decision));
-  Errors invalid = validate(valve);
-  for (Error& error : invalid) error.message = "of the resampled valve " + error.message;
-  if (!invalid.empty()) return invalid;
+  if (const Errors faults = validate(valve); !faults.empty())
+    return made_faults(faults, valve, called, unit);
   return ImportedValve{
       std::move(valve),
       std::move(decisions),
       {framed->leaflets, framed->annulus_mm, framed->chordae, framed->tips, state.closed},
       unit,
+      std::move(source.parts),
       std::move(prepared->thickness)};
 }
 

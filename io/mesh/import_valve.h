@@ -93,6 +93,12 @@ struct LeafletOrder {
   std::string swap = "give the meshes in the other order";  ///< how a user says the opposite
 };
 
+/// A label of a label map, or a part of one file of several, and what it was taken as.
+struct SourcePart {
+  int number = 1;         ///< as the user says it
+  std::string part = {};  ///< "anterior", "posterior", "annulus"; empty: not used
+};
+
 inline constexpr Eigen::Index kMostFaces = 1'000'000;  ///< of a leaflet's mesh
 
 struct ImportSource {
@@ -100,8 +106,9 @@ struct ImportSource {
   std::vector<std::string> provenance;
   std::vector<TriangleMesh>
       leaflets;  ///< the anterior, then the posterior one, or one skirt: sheets or thick shells
-  LeafletOrder order = {};    ///< of two
-  Points annulus_mm;          ///< closed loop, n x 3, either direction; empty: found
+  LeafletOrder order = {};             ///< of two
+  std::vector<SourcePart> parts = {};  ///< of labels or parts of a file, what they are said to be
+  Points annulus_mm;                   ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;       ///< taken only where chordae are drawn
@@ -132,6 +139,9 @@ struct ImportOptions {
   std::optional<double> thickness_mm = {};
   bool thickness_measured = false;  ///< the mean of thick leaflets, instead of thickness_mm
   bool trust_labels = false;  ///< leaflets are what they are said to be, whatever they look like
+  bool flip =
+      false;  ///< the atrium is on the other side of the annulus than it looks; no tips may say it
+  bool mirrored = false;  ///< the files show a mirror image: their x is turned round
   /// Of the closure that chordae are drawn by; `cancelled` is asked in all long loops and, once true, must stay so.
   ClosureBudget budget{};
 };
@@ -157,6 +167,7 @@ struct ImportedValve {
   std::vector<ImportDecision> decisions;  ///< in the order of the provenance that they end
   ImportInput input;
   LengthUnit unit = LengthUnit::Millimetre;  ///< that the source's numbers were taken as
+  std::vector<SourcePart> parts;             ///< ImportSource::parts as they were taken
   std::vector<MeasuredThickness> thickness;  ///< of leaflets that came as shells
 };
 

@@ -147,7 +147,14 @@ Expected<SettledOrder> settle_leaflet_order(ImportSource& source, bool trust_lab
            (wrong ? ", against what they look like: " : ": ") + readings,
        wrong || (settled.swapped && !order.numbered[0].empty()) || (guessed && confidence < kSure),
        confidence});
-  if (settled.swapped) std::swap(source.leaflets[0], source.leaflets[1]);
+  if (!settled.swapped) return settled;
+  std::swap(source.leaflets[0], source.leaflets[1]);
+  for (SourcePart& of : source.parts) {
+    if (of.part == "anterior")
+      of.part = "posterior";
+    else if (of.part == "posterior")
+      of.part = "anterior";
+  }
   return settled;
 }
 

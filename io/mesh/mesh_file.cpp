@@ -21,7 +21,8 @@ TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
   return all;
 }
 
-Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format) {
+Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format,
+                                 std::size_t most_unpacked) {
   if (format == "obj") return read_obj(bytes);
   if (format == "ply") return read_ply(bytes);
   if (format == "stl") return read_stl(bytes);
@@ -32,16 +33,15 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
       return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
     return TriangleMesh{std::move(data->points_mm), std::move(data->faces), {}};
   }
-  return Error{
-      ErrorCode::Unsupported, "",
-      "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: obj, ply, stl, vtk"};
-}
-
-Expected<TriangleMesh> read_packed_mesh(std::string_view bytes, std::string_view format) {
-  if (format != "vtp" && format != "vtu") return read_mesh(bytes, format);
-  Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes) : read_vtu(bytes);
-  if (!grid) return grid.errors();
-  return std::move(grid->mesh);
+  if (format == "vtp" || format == "vtu") {
+    Expected<VtuGrid> grid =
+        format == "vtp" ? read_vtp(bytes, most_unpacked) : read_vtu(bytes, most_unpacked);
+    if (!grid) return grid.errors();
+    return std::move(grid->mesh);
+  }
+  return Error{ErrorCode::Unsupported, "",
+               "mesh format '" + std::string(format.substr(0, 20)) +
+                   "', accepted: obj, ply, stl, vtk, vtp, vtu"};
 }
 
 }  // namespace coapt

@@ -19,11 +19,13 @@ struct TriangleMesh {
 /// One after the other; `polygons` are left out.
 TriangleMesh joined(const std::vector<TriangleMesh>& meshes);
 
-/// @param format "obj", "ply", "stl" or "vtk". Polygons are split into fans; STL vertices are welded.
-Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format);
+/// What the arrays of a .vtp or .vtu may unpack to, all together: of files of one's own, a mesh of a million triangles, twice what
+/// an import takes, has some 45 MiB; of what a service is sent, no more than it takes without compression.
+inline constexpr std::size_t kMostUnpacked = std::size_t{96} << 20;
+inline constexpr std::size_t kMostUnpackedSent = std::size_t{8} << 20;
 
-/// The same, also "vtp" and "vtu", whose arrays may be compressed, up to 128 MiB each: for files of one's own, not for
-/// what a service is sent.
-Expected<TriangleMesh> read_packed_mesh(std::string_view bytes, std::string_view format);
+/// @param format "obj", "ply", "stl", "vtk", "vtp" or "vtu". Polygons are split into fans; STL vertices are welded.
+Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format,
+                                 std::size_t most_unpacked = kMostUnpackedSent);
 
 }  // namespace coapt

@@ -211,7 +211,8 @@ MeshParts grid_parts(VtuGrid grid) {
 
 }  // namespace
 
-Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view format, bool packed) {
+Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view format,
+                                    std::size_t most_unpacked) {
   const auto parts_of = [](auto read, auto parts) -> Expected<MeshParts> {
     if (!read) return read.errors();
     return parts(*std::move(read));
@@ -219,8 +220,8 @@ Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view for
   if (format == "obj") return parts_of(read_obj_file(bytes), obj_parts);
   if (format == "stl") return parts_of(read_stl_file(bytes), stl_parts);
   if (format == "vtk") return parts_of(read_vtk(bytes), vtk_parts);
-  if (packed && format == "vtp") return parts_of(read_vtp(bytes), grid_parts);
-  if (packed && format == "vtu") return parts_of(read_vtu(bytes), grid_parts);
+  if (format == "vtp") return parts_of(read_vtp(bytes, most_unpacked), grid_parts);
+  if (format == "vtu") return parts_of(read_vtu(bytes, most_unpacked), grid_parts);
   return parts_of(read_mesh(bytes, format), in_large_pieces);
 }
 

@@ -23,8 +23,9 @@ struct MeshParts {
       "";  ///< "objects", "solids", "the array leaflet", "pieces that do not hang together"
 };
 
-/// @param format as of read_packed_mesh(). Pieces of less than 5 % of the area are of the largest piece.
-Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view format, bool packed);
+/// @param format as of read_mesh(). Pieces of less than 5 % of the area are of the largest piece.
+Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view format,
+                                    std::size_t most_unpacked);
 
 /// Lines of a file as one loop or line: OBJ, legacy VTK. Errors: "/lines", there are none, or several that do not hang together.
 /// Without lines and faces the points, in their order.

@@ -119,25 +119,42 @@ Errors impossible_size(const ImportSource& source, LengthUnit unit) {
                ", must span 10 to 350 mm: is the scale right? (--units)"}};
 }
 
-void scale(ImportSource& source, double factor) {
-  for (TriangleMesh& mesh : source.leaflets) mesh.vertices_mm *= factor;
-  source.annulus_mm *= factor;
-  source.pressed_annulus_mm *= factor;
-  for (ImportedTip& tip : source.tips) tip.position_mm *= factor;
+namespace {
+
+/// Every coordinate, axis by axis.
+void stretch(ImportSource& source, const Vec3& factors) {
+  const auto points = [&](Points& of) { of *= factors.asDiagonal(); };
+  const auto point = [&](Vec3& of) { of = factors.cwiseProduct(of); };
+  for (TriangleMesh& mesh : source.leaflets) points(mesh.vertices_mm);
+  points(source.annulus_mm);
+  points(source.pressed_annulus_mm);
+  for (ImportedTip& tip : source.tips) point(tip.position_mm);
   for (ImportedTie& tie : source.ties) {
-    tie.anterior_mm *= factor;
-    tie.posterior_mm *= factor;
+    point(tie.anterior_mm);
+    point(tie.posterior_mm);
   }
-  for_each_given(source.landmarks, [&](const Vec3& place) { return Vec3(factor * place); });
+  for_each_given(source.landmarks,
+                 [&](const Vec3& place) { return Vec3(factors.cwiseProduct(place)); });
   for (ImportedChorda& chorda : source.chordae) {
-    chorda.insertion_mm *= factor;
-    chorda.tip_mm *= factor;
-    if (chorda.pressed_tip_mm) *chorda.pressed_tip_mm *= factor;
-    for (ImportedSegment& segment : chorda.segments) {
-      segment.end_mm *= factor;
-      if (segment.rest_length_mm) *segment.rest_length_mm *= factor;
-    }
+    point(chorda.insertion_mm);
+    point(chorda.tip_mm);
+    if (chorda.pressed_tip_mm) point(*chorda.pressed_tip_mm);
+    for (ImportedSegment& segment : chorda.segments) point(segment.end_mm);
   }
+}
+
+}  // namespace
+
+void scale(ImportSource& source, double factor) {
+  stretch(source, Vec3::Constant(factor));
+  for (ImportedChorda& chorda : source.chordae)
+    for (ImportedSegment& segment : chorda.segments)
+      if (segment.rest_length_mm) *segment.rest_length_mm *= factor;
+}
+
+void unmirror(ImportSource& source) {
+  stretch(source, {-1.0, 1.0, 1.0});
+  for (TriangleMesh& mesh : source.leaflets) mesh.faces.col(1).swap(mesh.faces.col(2));
 }
 
 Errors mixed_units(const ImportSource& source) {

@@ -32,6 +32,9 @@ Errors impossible_size(const ImportSource& source, LengthUnit unit);
 /// Every coordinate and rest length times `factor`; diameters of chordae are millimetres already.
 void scale(ImportSource& source, double factor);
 
+/// What a mirror image shows: every x has the other sign, every triangle the other winding.
+void unmirror(ImportSource& source);
+
 /// Parts four times smaller or larger than the annulus: errors at "/leaflets/I/vertices_mm"
 /// and "/chordae". `source` must be finite and not empty.
 Errors mixed_units(const ImportSource& source);

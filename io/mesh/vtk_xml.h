@@ -30,7 +30,7 @@ struct VtkXml {
 /// The elements of a file of this type ("UnstructuredGrid").
 Expected<VtkXml> read_vtk_xml(std::string_view bytes, std::string_view type);
 
-/// The numbers of a DataArray, whose bytes are taken off what is `left` of kMostUnpacked for the file. Errors have `path`.
+/// The numbers of a DataArray, whose bytes are taken off what is `left` for the file. Errors have `path`.
 Expected<std::vector<double>> read_data_array(const VtkXml& file, const XmlElement& array,
                                               const std::string& path, std::size_t& left);
 

@@ -18,9 +18,6 @@ struct StoredBytes {
   std::string_view compressor;  ///< "", "vtkZLibDataCompressor" or "vtkLZMADataCompressor"
 };
 
-/// What all arrays of a file may unpack to: a mesh of a million triangles, twice what an import takes, has some 45 MiB.
-inline constexpr std::size_t kMostUnpacked = std::size_t{96} << 20;
-
 /// At most `most` bytes, which is known before one is unpacked. Errors have `path`: InputOutput (truncated or damaged),
 /// Unsupported, OutOfRange.
 Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,

@@ -87,8 +87,8 @@ void add_cell(int type, const std::vector<long long>& corners, MeshBuilder& mesh
 
 class VtuReader {
  public:
-  VtuReader(const VtkXml& file, bool is_grid)
-      : file_(file), sections_(sections_of(file)), is_grid_(is_grid) {}
+  VtuReader(const VtkXml& file, bool is_grid, std::size_t most_unpacked)
+      : file_(file), sections_(sections_of(file)), left_(most_unpacked), is_grid_(is_grid) {}
 
   Expected<VtuGrid> read() {
     if (sections_.pieces != 1)
@@ -201,22 +201,22 @@ class VtuReader {
   const VtkXml& file_;
   Sections sections_;
   Errors errors_;
-  std::size_t cells_ = 0, left_ = kMostUnpacked;
+  std::size_t cells_ = 0, left_;
   bool is_grid_;
 };
 
 }  // namespace
 
-Expected<VtuGrid> read_vtu(std::string_view bytes) {
+Expected<VtuGrid> read_vtu(std::string_view bytes, std::size_t most_unpacked) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "UnstructuredGrid");
   if (!file) return file.errors();
-  return VtuReader(*file, true).read();
+  return VtuReader(*file, true, most_unpacked).read();
 }
 
-Expected<VtuGrid> read_vtp(std::string_view bytes) {
+Expected<VtuGrid> read_vtp(std::string_view bytes, std::size_t most_unpacked) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
   if (!file) return file.errors();
-  return VtuReader(*file, false).read();
+  return VtuReader(*file, false, most_unpacked).read();
 }
 
 }  // namespace coapt

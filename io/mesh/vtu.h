@@ -26,9 +26,9 @@ struct VtuGrid {
 /// One piece; numbers as text, as base64 or raw, apart or in place, plain or compressed by zlib or LZMA. Triangles,
 /// quadrangles, pixels, polygons and strips; points and lines (chordae) are passed over. Unsupported: cells with a volume,
 /// quadratic cells, several pieces, LZ4, big-endian files.
-Expected<VtuGrid> read_vtu(std::string_view bytes);
+Expected<VtuGrid> read_vtu(std::string_view bytes, std::size_t most_unpacked = kMostUnpacked);
 
 /// The same of a PolyData file; its cells are numbered vertices, lines, polygons, strips.
-Expected<VtuGrid> read_vtp(std::string_view bytes);
+Expected<VtuGrid> read_vtp(std::string_view bytes, std::size_t most_unpacked = kMostUnpacked);
 
 }  // namespace coapt

@@ -20,7 +20,7 @@ constexpr double kColumn = (kImportWidth - 4.0 * kEdge) / 3.0;
 constexpr double kRoom = 70.0;   // px beside the valve, for words
 constexpr double kFar_mm = 1.0;  // where the colours of distances end
 
-constexpr Colour kGiven{0.60, 0.68, 0.78}, kGivenToo{0.70, 0.66, 0.80};
+constexpr Colour kGiven{0.60, 0.68, 0.78};  // a skirt: its leaflets are not told apart
 constexpr Colour kNear{0.93, 0.93, 0.91}, kAway{0.45, 0.10, 0.50};
 
 const Eye kFromAtrium{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -62,12 +62,17 @@ Sheet sheet_for(const ImportedValve& imported) {
   return sheet;
 }
 
+/// Each leaflet in its own colour: which one was taken as the anterior is seen at once.
 std::vector<TintedMesh> given_meshes(const ImportInput& input) {
   std::vector<TintedMesh> meshes;
-  for (const TriangleMesh& mesh : input.leaflets)
-    meshes.push_back({mesh.vertices_mm, mesh.faces,
-                      std::vector<Colour>(static_cast<std::size_t>(mesh.vertices_mm.rows()),
-                                          meshes.empty() ? kGiven : kGivenToo)});
+  for (const TriangleMesh& mesh : input.leaflets) {
+    const Colour colour = input.leaflets.size() < 2
+                              ? kGiven
+                              : segment_colour(meshes.empty() ? Segment::A2 : Segment::P2);
+    meshes.push_back(
+        {mesh.vertices_mm, mesh.faces,
+         std::vector<Colour>(static_cast<std::size_t>(mesh.vertices_mm.rows()), colour)});
+  }
   return meshes;
 }
 

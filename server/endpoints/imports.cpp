@@ -48,13 +48,15 @@ Json preview_json(const NamedFile& file, Eigen::Index& left) {
                {Error{ErrorCode::OutOfRange, "",
                       "is not shown: it has " + std::to_string(preview.points.rows()) +
                           " points and " + std::to_string(preview.faces.rows()) +
-                          " triangles, and the files of one request may have 1000000 together"}}};
+                          " triangles, and the files of one request may have 1000000 together"}},
+               std::move(preview.parts)};
   left -= preview.points.size() + preview.faces.size();
   return {{"name", file.name},
           {"content", to_string(preview.content)},
           {"points", flat(preview.points)},
           {"faces", flat(preview.faces)},
           {"labels", preview.labels},
+          {"parts", to_json(preview.parts)},
           {"problems", to_json(preview.problems)}};
 }
 

@@ -151,6 +151,7 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
   return {{"leaflets", into(asked.leaflets, read_named_files), false},
           {"labels", into(asked.labels, read_file), false},
           {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
+          {"phase", into(asked.reading.phase, whole(1, kMostPhases)), false},
           {"frame", into(asked.reading.axes, read_axes), false},
           {"annulus", into(asked.annulus, read_file), false},
           {"chordae", into(asked.chordae, read_file), false},
@@ -168,7 +169,9 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
           {"slack", into(options.slack, number(0.8, 1.5)), false},
           {"reference", into(options.reference, read_state), false},
           {"units", into(options.units, read_unit), false},
-          {"trust_labels", into(options.trust_labels, read_boolean), false}};
+          {"trust_labels", into(options.trust_labels, read_boolean), false},
+          {"flip", into(options.flip, read_boolean), false},
+          {"mirrored", into(options.mirrored, read_boolean), false}};
 }
 
 JsonField fit_field(ImportRequest& request) { return {"fit", into(request.fit, read_fit), false}; }

@@ -10,7 +10,7 @@ from typing import Any
 
 from .errors import NoSuchFile
 
-_BINARY = (".ply", ".stl", ".vtk", ".nrrd", ".nii", ".gz")  # may be
+_BINARY = (".ply", ".stl", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".mha")  # may be
 _OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
 
 

@@ -55,8 +55,9 @@ class StoredWork(ShortWork):
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
             "cm", "in" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
             closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
-            (of a label map: a mapping of "anterior", "posterior" and "annulus" to a number or several), trust_labels (True:
-            leaflets are what labels, names and order say, whatever they look like), frame ("LPS" or "RAS")
+            (of a label map or of parts of one file: a mapping of "anterior", "posterior" and "annulus" to a number or several),
+            trust_labels (True: leaflets are what labels, names and order say, whatever they look like), flip (True: the atrium is on
+            the other side than it looks), mirrored (True: the files are a mirror image), frame ("LPS" or "RAS")
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)

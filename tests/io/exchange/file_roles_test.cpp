@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/exchange/companion_files.h"
 #include "io/exchange/part_names.h"
 
 namespace coapt {
@@ -124,6 +125,39 @@ TEST(FileRoles, TwoOfOneRoleAndUnknownFilesAreNamed) {
   EXPECT_EQ(twice.errors()[0].path, "/files/1");
   EXPECT_EQ(twice.errors()[0].message, "is a label map, as is file 1; must be one of each");
   EXPECT_EQ(sorted_files({{"a.pdf", ""}}).errors()[0].path, "/files/0");
+}
+
+const std::string kBlocks =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+    "<vtkMultiBlockDataSet>\n<DataSet index=\"0\" name=\"posterior\" file=\"m/m_0.obj\"/>\n"
+    "<Block index=\"1\" name=\"anterior\"><DataSet index=\"0\" file=\"m/m_1.obj\"/></Block>\n"
+    "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+
+TEST(CompanionFiles, PiecesOfAMultiBlockAreCalledAsItsBlocks) {
+  EXPECT_EQ(*companions_of({"m.vtm", kBlocks}),
+            (std::vector<std::string>{"m/m_0.obj", "m/m_1.obj"}));
+  const Expected<SortedFiles> sorted =
+      sorted_files({{"m.vtm", kBlocks}, {"m_0.obj", "back"}, {"m_1.obj", "front"}});
+  ASSERT_TRUE(sorted) << sorted.errors()[0].message;
+  ASSERT_EQ(sorted->files.leaflets.size(), 2U);
+  EXPECT_EQ(sorted->files.leaflets[0].bytes, "front");
+  EXPECT_EQ(sorted->files.order.claim, LeafletClaim::Named);
+  EXPECT_EQ(sorted->files.order.called[0], "file 3");
+  EXPECT_EQ(sorted->places[0], (std::pair<std::string, std::size_t>{"/leaflets/0", 2}));
+  EXPECT_EQ(sorted_files({{"m.vtm", kBlocks}, {"m_0.obj", ""}}).errors()[0].path, "/files/0");
+  std::string elsewhere = kBlocks;
+  elsewhere.replace(elsewhere.find("m/m_0"), 5, "../m0");
+  EXPECT_EQ(companions_of({"m.vtm", elsewhere}).errors()[0].code, ErrorCode::Unsupported);
+}
+
+TEST(CompanionFiles, VoxelsAreJoinedToTheirHeader) {
+  const std::string header = "NRRD0004\nsizes: 1 1 1\ndata file: x.raw.gz\nencoding: gzip\n";
+  const Expected<SortedFiles> sorted = sorted_files({{"x.raw.gz", "voxels"}, {"x.nhdr", header}});
+  ASSERT_TRUE(sorted) << sorted.errors()[0].message;
+  ASSERT_TRUE(sorted->files.labels);
+  EXPECT_TRUE(sorted->files.labels->bytes.ends_with("gzip\n\nvoxels"));
+  EXPECT_EQ(sorted->places[0].second, 1U);
+  EXPECT_EQ(sorted->decisions[0].value, "file 1 holds the voxels of file 2");
 }
 
 }  // namespace

@@ -64,5 +64,28 @@ TEST(MeshLeaflets, AThirdLeafletAndThreePartsAreRefused) {
   EXPECT_NE(both->decisions.back().value.find("not used: part 3"), std::string::npos);
 }
 
+TEST(MeshLeaflets, NumbersThatAreGivenGoBeforeNames) {
+  const Expected<MeshLeaflets> found =
+      leaflets_of(parts({"anterior", "posterior", ""}), {{2}, {1}, {}});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->order.claim, LeafletClaim::Given);
+  EXPECT_EQ(found->leaflets[0].vertices_mm(0, 0), 1.0);
+  EXPECT_EQ(found->order.swap, "say --label anterior=1 --label posterior=2");
+  ASSERT_EQ(found->parts.size(), 3U);
+  EXPECT_EQ(found->parts[0].part, "posterior");
+  EXPECT_EQ(found->parts[2].part, "");
+  const Expected<MeshLeaflets> one = leaflets_of(parts({"anterior", ""}), {{2}, {}, {}});
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->leaflets[0].vertices_mm(0, 0), 1.0);
+}
+
+TEST(MeshLeaflets, APartThatIsNotThereIsNamed) {
+  const auto refused = [](const LabelNumbers& given) {
+    return leaflets_of(parts({"", ""}), given).errors()[0].path;
+  };
+  EXPECT_EQ(refused({{3}, {}, {}}), "/label_numbers/anterior");
+  EXPECT_EQ(refused({{1}, {1}, {}}), "/label_numbers");
+}
+
 }  // namespace
 }  // namespace coapt

@@ -96,5 +96,25 @@ TEST(SourceUnits, LengthsAndPlacesAreScaledDiametersAreNot) {
   EXPECT_EQ(chorda.segments[0].diameter_mm, 1.5);
 }
 
+TEST(SourceUnits, AMirrorImageIsTurnedRound) {
+  const Valve reference = *import_valve(cone_source(), {});
+  ImportSource mirrored = cone_source();
+  unmirror(mirrored);
+  EXPECT_LT((mirrored.annulus_mm.col(0) + cone_source().annulus_mm.col(0)).norm(), 1e-12);
+  const Expected<Valve> valve = import_valve(mirrored, {.mirrored = true});
+  ASSERT_TRUE(valve) << valve.errors().front().message;
+  EXPECT_LT((valve->rest_mm - reference.rest_mm).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_NE(
+      std::find(valve->provenance.begin(), valve->provenance.end(),
+                "frame: every x of the files turned round; they are a mirror image, as given"),
+      valve->provenance.end());
+}
+
+TEST(SourceUnits, TheAtriumIsNotTurnedWhereTipsTell) {
+  const Expected<Valve> valve = import_valve(cone_source(), {.flip = true});
+  ASSERT_FALSE(valve);
+  EXPECT_EQ(valve.errors()[0].path, "/flip");
+}
+
 }  // namespace
 }  // namespace coapt

@@ -32,6 +32,7 @@ export type FileLookedAt = Schemas['FileLookedAt']
 export type ImportRequest = Omit<Schemas['FilesToFit'], 'leaflets'> & { leaflets?: FileToImport[] }
 export type ImportResult = Schemas['ImportResult']
 export type ImportDecision = Schemas['ImportDecision']
+export type LabelTaken = Schemas['LabelTaken']
 export type FitResult = Schemas['FitResult']
 export type Rings = Omit<Schemas['Rings'], 'notice'>
 

@@ -1,7 +1,7 @@
 // Files of a segmentation tool: what each of them is, what is wrong with it, and the valve that they make.
 import { lookAtFiles, startImport } from '../api/calls'
 import { getJson } from '../api/http'
-import type { FileLookedAt, ImportResult, Job, Problem } from '../api/types'
+import type { FileLookedAt, ImportResult, Job, LabelTaken, Problem } from '../api/types'
 import { button, field, filePicker, h, select } from '../dom'
 import { hasEnded } from '../jobs/calls'
 import { followJob } from '../jobs/follow'
@@ -9,9 +9,10 @@ import { progressPanel } from '../jobs/progress_panel'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
 import { JobFailed, problemsOf } from '../workspace'
+import { type Corrections, decisionControls, labelChoice, UNITS } from './corrections'
 import { importResult, type ImportStage } from './import_stage'
 import { landmarkList } from './landmark_list'
-import { ROLES, type ImportSettings, type Role, filesToImport, guessedRoles, packed, placed } from './parts'
+import { ROLES, type ImportSettings, type Role, type Unit, filesToImport, guessedRoles, packed, placed } from './parts'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -35,19 +36,21 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   const rest = h('div', {}) // problems of no file
   const name = h('input', { type: 'text', maxlength: 200, value: 'imported' })
   const triangles = h('input', { type: 'number', min: 100, max: 100000, value: USUAL_TRIANGLES })
-  let units: ImportSettings['units'] = null
-  const unit = select(
+  let labels: LabelTaken[] = [] // what a person said of them
+  let result: HTMLElement | null = null // that is shown
+  const unit = select([['', 'by the annulus'], ...UNITS], '', () => {})
+  const state = select(
     [
-      ['', 'by the annulus'],
-      ['mm', 'mm'],
-      ['cm', 'cm'],
-      ['in', 'in'],
-      ['m', 'm'],
+      ['', 'open or closed, as it looks'],
+      ['open', 'open'],
+      ['closed', 'closed'],
     ],
     '',
-    (value) => (units = value === '' ? null : (value as ImportSettings['units'])),
+    () => settle(),
   )
-  const closed = h('input', { type: 'checkbox', onchange: () => settle() })
+  const trusts = h('input', { type: 'checkbox' })
+  const flips = h('input', { type: 'checkbox' })
+  const mirrored = h('input', { type: 'checkbox' })
   const draws = h('input', {
     type: 'checkbox',
     onchange: () => {
@@ -87,11 +90,19 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     { hidden: true },
     field('Name', name),
     field('Units', unit),
-    field('Imaged closed', closed),
+    field('Leaflets were imaged', state),
     field('Draw chordae', draws),
     field('Seed of drawn chordae', seed),
     field('Triangles, about', triangles),
     landmarks.element,
+    h(
+      'details',
+      { class: parts.more, 'data-part': 'corrections' },
+      h('summary', {}, 'Correct what is judged'),
+      field('Labels and order are right', trusts),
+      field('Atrium on the other side', flips),
+      field('Mirror image', mirrored),
+    ),
     h('p', {}, go),
     fitting,
   )
@@ -102,13 +113,13 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     h(
       'p',
       { class: parts.hint },
-      'A label map (NRRD or NIfTI), or leaflets (OBJ, PLY, STL or VTK) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
+      'A label map (NRRD, NIfTI or MetaImage), or leaflets (OBJ, PLY, STL, VTK, VTP or VTU) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
         'system; chordae and papillary tips if they were seen; or all files of a SlicerHeart folder. Remove what identifies ' +
         'the patient first.',
     ),
     filePicker('Files', 'Choose files', {
       multiple: true,
-      accept: '.obj,.ply,.stl,.vtk,.nrrd,.nii,.gz,.csv,.json',
+      accept: '.obj,.ply,.stl,.vtk,.vtp,.vtu,.nrrd,.nii,.gz,.mha,.csv,.json',
       use: take,
     }),
     rows,
@@ -122,6 +133,10 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     looked = given.map(() => null)
     roles = guessedRoles(files.map((file) => file.name))
     drawsByHand = null
+    labels = []
+    result = null
+    for (const input of [trusts, flips, mirrored]) input.checked = false
+    for (const choice of [unit, state]) choice.value = ''
     element.open = true
     options.hidden = files.length === 0
     said.textContent = ''
@@ -161,7 +176,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     draws.checked = drawsByHand ?? (!isFolder && !roles.includes('chordae'))
     seed.disabled = !draws.checked
     go.disabled = fit.disabled = files.length === 0
-    fitting.hidden = !closed.checked && !roles.includes('surface')
+    fitting.hidden = state.value !== 'closed' && !roles.includes('surface')
   }
 
   function draw(): void {
@@ -175,8 +190,12 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     return {
       name: name.value,
       triangles: Number(triangles.value),
-      units,
-      closed: closed.checked,
+      labels,
+      units: unit.value === '' ? null : (unit.value as Unit),
+      closed: state.value === '' ? null : state.value === 'closed',
+      trusts: trusts.checked,
+      flips: flips.checked,
+      mirrored: mirrored.checked,
       seed: draws.checked ? Number(seed.value) : null,
       places: landmarks.places(),
       fit: fits ? { leak_mm2: known, side } : null,
@@ -196,8 +215,41 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
       const problems = problemsOf(error)
       said.textContent = `No valve can be made of these files: ${problems.length === 1 ? 'one problem.' : `${problems.length} problems.`}`
       show(problems)
+      if (result?.isConnected) {
+        result.querySelector('[data-part=problems]')?.remove()
+        result.prepend(problemList(problems)) // beside the control that asked for it
+        result.scrollIntoView({ block: 'start' })
+      }
     }
     settle()
+  }
+
+  /// What the controls beside decisions do: they set those of the form, then the valve is made again.
+  function corrections(): Corrections {
+    const change = (set: () => void): void => {
+      set()
+      void run(false)
+    }
+    const one = (role: Role): number =>
+      roles.filter((other) => other === role).length === 1 ? roles.indexOf(role) : -1
+    const [anterior, posterior] = [one('anterior'), one('posterior')]
+    return {
+      take: (taken) => change(() => (labels = taken)),
+      exchange:
+        anterior < 0 || posterior < 0
+          ? null
+          : () =>
+              change(() => {
+                roles[anterior] = 'posterior'
+                roles[posterior] = 'anterior'
+              }),
+      units: (of) => change(() => (unit.value = of)),
+      closed: (is) => change(() => (state.value = is ? 'closed' : 'open')),
+      flip: () => change(() => (flips.checked = !flips.checked)),
+      mirror: () => change(() => (mirrored.checked = !mirrored.checked)),
+      flipped: flips.checked,
+      mirrored: mirrored.checked,
+    }
   }
 
   /// Until it has ended; then its valve is opened.
@@ -218,20 +270,21 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
       const problems: Problem[] = last.problems
       throw problems.length > 0 ? new JobFailed(problems) : new Error('The import was cancelled.')
     }
-    const result = await getJson<ImportResult>(last.links.result)
-    nameValve(result.valve, result.name)
-    await open(result.valve, result.name)
-    stage.show(importResult(last, result, actions(result, fits)))
+    const made = await getJson<ImportResult>(last.links.result)
+    nameValve(made.valve, made.name)
+    await open(made.valve, made.name)
+    result = importResult(last, made, actions(made, fits), decisionControls(made, corrections()))
+    stage.show(result)
   }
 
-  function actions(result: ImportResult, wasFitted: boolean): HTMLElement {
+  function actions(made: ImportResult, wasFitted: boolean): HTMLElement {
     const search = h(
       'a',
-      { class: `${parts.button} ${parts.primary}`, href: `#/search?valve=${result.valve}` },
+      { class: `${parts.button} ${parts.primary}`, href: `#/search?valve=${made.valve}` },
       'Go on to search',
     )
     const again = button('Back to the files', () => draw())
-    const canFit = !wasFitted && !fitting.hidden
+    const canFit = !wasFitted && (made.closed || !fitting.hidden)
     return h('p', { class: parts.row }, search, canFit && button('Fit to closed leaflets', () => void run(true)), again)
   }
 
@@ -256,12 +309,25 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
           {},
           h('span', {}, file.name, ' ', h('small', { class: parts.hint }, holds(looked[i] ?? null))),
           role,
+          roles[i] === 'labels' && labelsOf(looked[i] ?? null),
           problemList(own),
         )
       }),
     )
     rest.replaceChildren(problemList([...others]))
     if (problems.length === 0 && looked.some((file) => file !== null)) draw()
+  }
+
+  /// The labels of a map, of which a person may say what they are before it is imported.
+  function labelsOf(file: FileLookedAt | null): HTMLElement | false {
+    if (!file || file.parts.length === 0) return false
+    const said = file.parts.map(
+      ({ number }) => labels.find((label) => label.number === number) ?? { number, part: null },
+    )
+    return labelChoice(said, 'found by itself', (taken) => {
+      labels = taken
+      show([])
+    })
   }
 
   return { element, take }

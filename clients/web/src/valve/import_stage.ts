@@ -77,11 +77,18 @@ export function importStage(workspace: Workspace, changed: (isShown: boolean) =>
 }
 
 /// What an import has made: its picture and everything it decided.
-export function importResult(job: Job, result: ImportResult, actions: HTMLElement): HTMLElement {
+export function importResult(
+  job: Job,
+  result: ImportResult,
+  actions: HTMLElement,
+  controls: Map<string, HTMLElement>,
+): HTMLElement {
   const picture = h('img', {
     class: valveStyle.importPicture,
     alt: `${result.name}: what was given beside the valve made of it, from the atrium and from behind, and a section`,
   })
+  const doubts = result.decisions.filter(({ look }) => look)
+  const left = new Map(controls)
   const residual = h('img', { class: valveStyle.importPicture, alt: 'Distances that the fit left', hidden: true })
   void fill(picture, job.links.picture ?? '')
   if (result.fit)
@@ -100,10 +107,15 @@ export function importResult(job: Job, result: ImportResult, actions: HTMLElemen
     ),
     actions,
     result.fit && fitted(result.fit),
+    doubts.length > 0 && h('h3', {}, 'To check against the images'),
+    doubts.length > 0 && decisionList(doubts, left),
     picture,
     residual,
     h('h3', {}, 'What was decided'),
-    decisionList(result.decisions),
+    decisionList(
+      result.decisions.filter(({ look }) => !look),
+      left,
+    ),
   )
 }
 
@@ -135,14 +147,27 @@ function fitted(fit: FitResult): HTMLElement {
   )
 }
 
-/// Those that a person should look at first, first.
-export function decisionList(decisions: ImportDecision[]): HTMLElement {
+/// A control stands at the first decision about its subject, and is taken out of those that are left.
+function decisionList(decisions: ImportDecision[], left: Map<string, HTMLElement>): HTMLElement {
   const list = h('dl', { class: valveStyle.decisions, 'data-part': 'decisions' })
-  const toLook = (decision: ImportDecision): boolean => decision.look === true
-  for (const decision of [...decisions.filter(toLook), ...decisions.filter((one) => !toLook(one))])
+  for (const decision of decisions) {
     list.append(
-      h('dt', {}, decision.subject, toLook(decision) && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check')),
-      h('dd', {}, decision.value, decision.reason && h('span', { class: parts.hint }, ` ${decision.reason}`)),
+      h(
+        'dt',
+        {},
+        decision.subject,
+        ' ',
+        decision.look && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check'),
+      ),
+      h(
+        'dd',
+        { 'data-subject': decision.subject },
+        decision.value,
+        decision.reason && h('span', { class: parts.hint }, ` ${decision.reason}`),
+        left.get(decision.subject),
+      ),
     )
+    left.delete(decision.subject)
+  }
   return list
 }

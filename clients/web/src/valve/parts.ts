@@ -1,5 +1,5 @@
 // Which part of a valve a file of a segmentation tool holds, and how it goes to the service.
-import type { FileLookedAt, FileToImport, ImportRequest, Vector } from '../api/types'
+import type { FileLookedAt, FileToImport, ImportRequest, LabelTaken, Vector } from '../api/types'
 import { LANDMARKS, TIPS, type Places } from './landmark_places'
 
 export const ROLES = [
@@ -15,9 +15,9 @@ export const ROLES = [
 ] as const
 export type Role = (typeof ROLES)[number][0]
 
-const MESHES = ['obj', 'ply', 'stl', 'vtk']
-const LABEL_MAPS = ['nrrd', 'nii', 'gz']
-const BINARY = ['ply', 'stl', 'vtk', ...LABEL_MAPS] // may be
+const MESHES = ['obj', 'ply', 'stl', 'vtk', 'vtp', 'vtu']
+const LABEL_MAPS = ['nrrd', 'nii', 'gz', 'mha']
+const BINARY = ['ply', 'stl', 'vtk', 'vtp', 'vtu', ...LABEL_MAPS] // may be
 
 function extensionOf(name: string): string {
   return name.split('.').pop()?.toLowerCase() ?? ''
@@ -54,21 +54,33 @@ export function placed<T>(files: T[], roles: Role[]): Map<string, T> {
   return places
 }
 
+export type Unit = 'mm' | 'cm' | 'in' | 'm'
+export type LabelPart = NonNullable<LabelTaken['part']>
+
 export interface ImportSettings {
   name: string
   triangles: number
-  units: 'mm' | 'cm' | 'in' | 'm' | null // null: guessed
-  closed: boolean // the leaflets were imaged so
+  labels: LabelTaken[] // what a person said of them
+  units: Unit | null // null: guessed
+  closed: boolean | null // whether the leaflets were imaged so; null: judged
+  trusts: boolean // labels, names and order, whatever the leaflets look like
+  flips: boolean // the atrium is on the other side than it looks
+  mirrored: boolean // the files are a mirror image
   seed: number | null // of chordae that are drawn; null: they are among the files
   places: Places // that were picked
   fit: { leak_mm2: number | null; side: 'atrial' | 'middle' } | null // null: not now
 }
 
 export async function filesToImport(files: File[], roles: Role[], settings: ImportSettings): Promise<ImportRequest> {
-  const { name, triangles, units, closed, seed, places, fit } = settings
+  const { name, triangles, labels, units, closed, seed, places, fit } = settings
   const request: ImportRequest = { name, triangles }
   if (units) request.units = units
-  if (closed) request.closed = true
+  if (closed !== null) request.closed = closed
+  if (settings.trusts) request.trust_labels = true
+  if (settings.flips) request.flip = true
+  if (settings.mirrored) request.mirrored = true
+  for (const { number, part } of labels)
+    if (part) request.label_numbers = { ...request.label_numbers, [part]: [...numbersOf(request, part), number] }
   if (seed !== null) request.chordae_seed = seed
   for (const [place, file] of placed(files, roles)) {
     if (place === '/fit/surface') continue
@@ -90,6 +102,11 @@ export async function filesToImport(files: File[], roles: Role[], settings: Impo
   if (surface) request.fit.surface = await packed(surface)
   if (fit.leak_mm2 !== null) request.fit.leak_mm2 = fit.leak_mm2
   return request
+}
+
+function numbersOf(request: ImportRequest, part: LabelPart): number[] {
+  const numbers = request.label_numbers?.[part] ?? []
+  return typeof numbers === 'number' ? [numbers] : numbers
 }
 
 /// Those that were picked, if both were.

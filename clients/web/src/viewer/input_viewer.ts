@@ -13,7 +13,7 @@ import {
 import type { Vector } from '../api/types'
 import { h } from '../dom'
 import type { Role } from '../valve/parts'
-import { rgb } from './colours'
+import { rgb, TINTS } from './colours'
 import { inputFrame, intoFile, intoView, pointsOf, type InputFrame, type Part } from './input_frame'
 import { Labels, type Label } from './labels'
 import { Lines } from './lines'
@@ -21,9 +21,9 @@ import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
 const COLOURS: Record<Role, string> = {
-  anterior: '#e8998a',
-  posterior: '#f2c491',
-  labels: '#e8998a',
+  anterior: TINTS.anterior,
+  posterior: TINTS.posterior,
+  labels: TINTS.anterior,
   surface: '#9db4d6',
   annulus: '#cdb7b0',
   chordae: '#cdb7b0',

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest'
 import { filesToImport, guessedRoles, type ImportSettings, placed } from '../../src/valve/parts'
+import { given } from '../../src/valve/corrections'
 import { readPlace, writePlace } from '../../src/valve/landmark_places'
 import { inputFrame, intoFile, intoView } from '../../src/viewer/input_frame'
 import type { FileLookedAt, Vector } from '../../src/api/types'
@@ -7,8 +8,12 @@ import type { FileLookedAt, Vector } from '../../src/api/types'
 const SETTINGS: ImportSettings = {
   name: 'mine',
   triangles: 500,
+  labels: [],
   units: null,
-  closed: false,
+  closed: null,
+  trusts: false,
+  flips: false,
+  mirrored: false,
   seed: null,
   places: {},
   fit: null,
@@ -95,7 +100,7 @@ test('a place is three numbers', () => {
 
 /// A square annulus across x in the files' frame, its tips at greater x: the atrium is at smaller x.
 const looked = (content: FileLookedAt['content'], points: number[]): FileLookedAt => ({
-  ...{ name: content, content, points, faces: [], labels: [], problems: [] },
+  ...{ name: content, content, points, faces: [], labels: [], parts: [], problems: [] },
 })
 
 test('files are looked at as a valve is: the atrium above, the anterior leaflet in front', () => {
@@ -115,4 +120,33 @@ test('files are looked at as a valve is: the atrium above, the anterior leaflet 
   for (const k of [0, 1, 2] as const) expect(back[k]).toBeCloseTo(point[k], 9)
   expect(Math.hypot(...intoView(frame, [9, 0, 1]))).toBeCloseTo(scale * Math.hypot(4, 1), 9)
   expect(inputFrame([])).toBeNull()
+})
+
+test('what a person says of a label map goes along', async () => {
+  const labels = [
+    { number: 1, part: 'posterior' as const },
+    { number: 2, part: 'anterior' as const },
+    { number: 3, part: null },
+    { number: 4, part: 'posterior' as const },
+  ]
+  const asked = await filesToImport([], [], { ...SETTINGS, labels, closed: false, flips: true, trusts: true })
+  expect(asked).toEqual({
+    name: 'mine',
+    triangles: 500,
+    label_numbers: { anterior: [2], posterior: [1, 4] },
+    closed: false,
+    flip: true,
+    trust_labels: true,
+  })
+})
+
+test('a label takes the part of another one in exchange', () => {
+  const labels = [
+    { number: 1, part: 'anterior' as const },
+    { number: 2, part: 'posterior' as const },
+    { number: 3, part: null },
+  ]
+  expect(given(labels, 1, 'posterior').map(({ part }) => part)).toEqual(['posterior', 'anterior', null])
+  expect(given(labels, 3, 'posterior').map(({ part }) => part)).toEqual(['anterior', 'posterior', 'posterior'])
+  expect(given(labels, 2, null).map(({ part }) => part)).toEqual(['anterior', null, null])
 })
