@@ -1,12 +1,27 @@
 #!/usr/bin/env python3
 """file_seeds.py FOLDER: what fuzz_mesh and fuzz_image start from: the files that other programs wrote for the tests, each
-behind the byte that chooses its reader."""
+behind the byte that chooses its reader, and small ones of kinds that these are not."""
 
 import sys
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parents[1]
 MESH_READERS = {".vtk": 3, ".vtu": 8, ".vtp": 9}  # fuzz_mesh.cpp
+
+META = (
+    b"ObjectType = Image\nNDims = 4\nDimSize = 2 2 1 2\nElementSpacing = 1 1 1 1\nOffset = 0 0 0 0\nHeaderSize = -1\n"
+)
+META += b"CompressedData = False\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n\0\1\2\3\0\1\2\3"
+BLOCKS = b'<VTKFile type="vtkMultiBlockDataSet"><Block name="valve"><DataSet name="anterior" file="m/0.vtp"/></Block></VTKFile>'
+OBJECTS = b"o anterior\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no posterior\nv 0 0 2\nv 1 0 2\nv 0 1 2\nf 4 5 6\nl 1 2 3\n"
+OTHERS = {
+    "image/phases.mha": bytes([8]) + META,
+    "image/header.mhd": bytes([24]) + META.replace(b"LOCAL", b"x.raw"),
+    "image/header.nhdr": bytes([1]) + b"NRRD0004\nsizes: 1 1 1\ndata file: x.raw\nencoding: raw\n",
+    "mesh/blocks.vtm": bytes([10]) + BLOCKS,
+    "mesh/ring.csv": bytes([11]) + b"\xef\xbb\xbf# of a ring\nid;x;y;z\n1;1,5;2,5;3,5\n2;2,5;3,5;4,5\n",
+    "mesh/objects.obj": bytes([12]) + OBJECTS,
+}
 
 
 def main():
@@ -24,6 +39,8 @@ def main():
         if path.is_file():
             nrrd = path.suffix == ".nrrd"
             (folder / "image" / path.name).write_bytes(bytes([6 + nrrd]) + path.read_bytes())
+    for name, content in OTHERS.items():
+        (folder / name).write_bytes(content)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,12 @@
-// Mesh, chordae and markups files: the first byte chooses the reader.
+// Mesh, chordae and markups files, parts of meshes, tables and multi-blocks: the first byte chooses the reader.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
+#include "io/exchange/companion_files.h"
+#include "io/exchange/import_files.h"
 #include "io/exchange/markups.h"
+#include "io/exchange/mesh_leaflets.h"
 #include "io/mesh/import_readers.h"
 #include "io/mesh/vtu.h"
 
@@ -12,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
   constexpr std::string_view kMeshes[] = {"obj", "ply", "stl", "vtk"};
-  switch (bytes[0] % 10) {
+  switch (bytes[0] % 14) {
     case 4:
       (void)read_chordae(text, "csv");
       return 0;
@@ -31,10 +34,24 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     case 9:
       (void)read_vtp(text);
       return 0;
+    case 10:
+      (void)companions_of({"m.vtm", std::string(text)});
+      return 0;
+    case 11:
+      if (const auto loop = read_closed_loop(text, "csv"); loop && !loop->allFinite()) std::abort();
+      return 0;
+    case 12:
+      if (const auto parts = read_mesh_parts(text, "obj", kMostUnpackedSent))
+        (void)leaflets_of(*parts, {{1}, {2}, {}});
+      return 0;
+    case 13:
+      if (const auto parts = read_mesh_parts(text, "vtk", kMostUnpackedSent))
+        (void)leaflets_of(*parts);
+      return 0;
     default:
       break;
   }
-  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 10]);
+  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 14]);
   if (!mesh) return 0;
   const bool indices =
       mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertices_mm.rows();

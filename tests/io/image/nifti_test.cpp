@@ -116,9 +116,9 @@ TEST(Nifti, WhatIsWrongIsNamed) {
   EXPECT_EQ(path_of(changed<std::int16_t>(40, 2)), "/dim");
   EXPECT_EQ(path_of(changed<std::int16_t>(42, -2)), "/dim");
   EXPECT_EQ(path_of(changed<std::int16_t>(42, 32767)), "/data");
-  std::string times = changed<std::int16_t>(40, 4);
-  put<std::int16_t>(times, 48, 2);
-  EXPECT_EQ(path_of(times), "/dim");
+  std::string vectors = changed<std::int16_t>(40, 5);
+  put<std::int16_t>(vectors, 50, 2);
+  EXPECT_EQ(path_of(vectors), "/dim");
   EXPECT_EQ(path_of(plain(), 3), "/dim");
   EXPECT_EQ(path_of(changed<std::int16_t>(70, 128)), "/datatype");
   EXPECT_EQ(path_of(changed<float>(112, 0.5F)), "/scl_slope");

@@ -101,7 +101,9 @@ TEST(SourceUnits, AMirrorImageIsTurnedRound) {
   ImportSource mirrored = cone_source();
   unmirror(mirrored);
   EXPECT_LT((mirrored.annulus_mm.col(0) + cone_source().annulus_mm.col(0)).norm(), 1e-12);
-  const Expected<Valve> valve = import_valve(mirrored, {.mirrored = true});
+  ImportOptions options;
+  options.mirrored = true;
+  const Expected<Valve> valve = import_valve(mirrored, options);
   ASSERT_TRUE(valve) << valve.errors().front().message;
   EXPECT_LT((valve->rest_mm - reference.rest_mm).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_NE(
@@ -111,7 +113,9 @@ TEST(SourceUnits, AMirrorImageIsTurnedRound) {
 }
 
 TEST(SourceUnits, TheAtriumIsNotTurnedWhereTipsTell) {
-  const Expected<Valve> valve = import_valve(cone_source(), {.flip = true});
+  ImportOptions options;
+  options.flip = true;
+  const Expected<Valve> valve = import_valve(cone_source(), options);
   ASSERT_FALSE(valve);
   EXPECT_EQ(valve.errors()[0].path, "/flip");
 }
