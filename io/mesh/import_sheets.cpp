@@ -13,7 +13,7 @@ namespace coapt {
 namespace {
 
 constexpr double kIslandsToCheck = 0.005;  // of a leaflet; a few stray voxels are less
-constexpr double kThickOfArea = 0.6;  // with an opposite side, of a shell that has an edge
+constexpr double kThickOfArea = 0.6;       // with an opposite side, of a shell that has an edge
 constexpr const char *kAnterior = "anterior leaflet", *kPosterior = "posterior leaflet";
 constexpr int kToldHoles = 5;
 constexpr double kFurthest_mm = 1e6;       // further away, products of coordinates lose the valve

@@ -115,6 +115,8 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   if (!contour) return contour.errors();
   Expected<SheetPreparation> prepared = prepare_sheets(source, options.budget);
   if (!prepared) return by_name(prepared.errors(), source.order.called);
+  const std::vector<ImportDecision> stretched =
+      thickness_checks(source.leaflets, prepared->thickness);
   const Expected<SettledOrder> order = settle_leaflet_order(source, options.trust_labels);
   if (!order) return by_name(order.errors(), source.order.called);
   std::array<std::string, 2> called = source.order.called;
@@ -157,6 +159,7 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   decisions.insert(decisions.end(), contour->begin(), contour->end());
   const std::vector<ImportDecision> doubts = valve_checks(*framed, *skirt, valve, state.closed);
   decisions.insert(decisions.end(), doubts.begin(), doubts.end());
+  decisions.insert(decisions.end(), stretched.begin(), stretched.end());
   if (const std::string given = given_names(framed->landmarks); !given.empty())
     decisions.push_back({"landmarks", given + " as given", "moved to the annulus"});
   const Expected<double> thickness_mm =

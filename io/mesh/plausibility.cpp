@@ -7,6 +7,7 @@
 
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
+#include "core/valve/vertex_normals.h"
 #include "io/mesh/mesh_distance.h"
 #include "io/mesh/sheet_repair.h"
 #include "io/mesh/source_units.h"
@@ -21,7 +22,9 @@ constexpr double kFarRms_mm = 1.0, kFarMax_mm = 5.0;
 constexpr double kBeside_mm = 2.0;        // of sheets from the contour, in the mean
 constexpr Range kAreaRatio = {0.8, 3.0};  // leaflets over annulus; 1.3 is normal
 constexpr Range kAnteriorMm = {10.0, 45.0}, kPosteriorMm = {5.0, 35.0};  // heights at A2 and P2
-constexpr Range kDiameterRatio = {0.45, 1.2};    // anteroposterior over transverse
+constexpr Range kDiameterRatio = {0.45, 1.2};  // anteroposterior over transverse
+constexpr double kStretched = 1.4;             // thickness along one direction over that across it
+constexpr double kLeastOfThickness = 100.0;    // vertices where it is measured
 constexpr Range kUsualTipDepthMm = {8.0, 60.0};  // 23.5 +- 3.8 from the annulus
 
 bool is_in(double value, const Range& range) { return value >= range.min && value <= range.max; }
@@ -108,6 +111,52 @@ Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
                      "leaflets' outlines"};
   return std::vector<ImportDecision>{
       {"contour", "closed by a straight side over " + significant(gap_deg, 2) + " degrees", gap,
+       true, 0.5}};
+}
+
+std::vector<ImportDecision> thickness_checks(const std::vector<TriangleMesh>& leaflets,
+                                             const std::vector<MeasuredThickness>& thickness) {
+  // A sheet of thickness t that is stretched by S has the thickness t |S n| where its normal is then n: the symmetric
+  // matrix M = t^2 S^2 is fitted to the squares, and to a ball where normals leave a direction open.
+  using Fit = Eigen::Matrix<double, 6, 1>;
+  Eigen::Matrix<double, 6, 6> system = Eigen::Matrix<double, 6, 6>::Zero();
+  Fit right = Fit::Zero();
+  double squares = 0.0, count = 0.0;
+  for (const MeasuredThickness& of : thickness) {
+    if (of.leaflet >= leaflets.size()) continue;
+    const TriangleMesh& sheet = leaflets[of.leaflet];
+    const Points normals = vertex_normals(sheet.vertices_mm, sheet.faces);
+    const Eigen::Index rows = std::min<Eigen::Index>(normals.rows(), std::ssize(of.vertices_mm));
+    for (Eigen::Index v = 0; v < rows; ++v) {
+      const Eigen::RowVector3d n = normals.row(v);
+      const double t2 = std::pow(of.vertices_mm[static_cast<std::size_t>(v)], 2);
+      if (!(n.norm() > 0.5) || !(t2 > 0.0)) continue;
+      Fit row;
+      row << n.x() * n.x(), n.y() * n.y(), n.z() * n.z(), 2.0 * n.x() * n.y(), 2.0 * n.y() * n.z(),
+          2.0 * n.z() * n.x();
+      system += row * row.transpose();
+      right += row * t2;
+      squares += t2;
+      count += 1.0;
+    }
+  }
+  if (count < kLeastOfThickness) return {};
+  Fit ball;
+  ball << 1, 1, 1, 0, 0, 0;
+  const double weight = 0.01 * count;
+  system.diagonal().array() += weight;
+  right += weight * squares / count * ball;
+  const Fit m = system.ldlt().solve(right);
+  Eigen::Matrix3d matrix;
+  matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
+  const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvalues();
+  const double ratio = std::sqrt(eigenvalues[2] / std::max(1e-9, eigenvalues[0]));
+  if (!(ratio > kStretched)) return {};
+  return {
+      {"size",
+       "leaflets are " + significant(ratio, 2) + " times as thick along one direction as across it",
+       "usual is up to " + significant(kStretched, 2) +
+           "; the voxels may be of another size along one axis",
        true, 0.5}};
 }
 

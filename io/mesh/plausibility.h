@@ -12,6 +12,11 @@ namespace coapt {
 /// to be looked at. @param annulus_mm as given, lengths in millimetres
 Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm);
 
+/// Shells that are more than 1.4 times as thick along one direction as across it, whichever way they face: the spacing of the voxels is
+/// another one along that axis. `leaflets` are their mid-surfaces.
+std::vector<ImportDecision> thickness_checks(const std::vector<TriangleMesh>& leaflets,
+                                             const std::vector<MeasuredThickness>& thickness);
+
 /// Of open leaflets: how far what was given and the valve are apart, both ways.
 struct TwoWayDistance {
   double to_sheets_rms_mm = 0.0, to_sheets_max_mm = 0.0;      ///< of all vertices of the valve

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cone_scene.h"
+#include "core/valve/vertex_normals.h"
 
 namespace coapt {
 namespace {
@@ -113,6 +114,22 @@ TEST(Plausibility, TheAtriumIsNotToldByASignOfRounding) {
   const Expected<ImportedValve> disagrees = made(-4.0, 1.0);
   ASSERT_TRUE(disagrees) << disagrees.errors()[0].message;
   EXPECT_TRUE(atrium(*disagrees).look);
+}
+
+TEST(Plausibility, AShellThatIsStretchedIsThickerAlongOneDirection) {
+  const TriangleMesh sheet = cone(0, 360);
+  const Points normals = vertex_normals(sheet.vertices_mm, sheet.faces);
+  const auto told = [&](const Vec3& stretch) {
+    MeasuredThickness measured;
+    for (const auto& normal : normals.rowwise())
+      measured.vertices_mm.push_back(1.6 * stretch.cwiseProduct(normal.transpose()).norm());
+    return thickness_checks({sheet}, {measured});
+  };
+  EXPECT_TRUE(told({1.0, 1.0, 1.0}).empty());
+  EXPECT_TRUE(told({1.0, 1.2, 1.0}).empty());
+  const std::vector<ImportDecision> stretched = told({1.0, 1.8, 1.0});
+  ASSERT_EQ(stretched.size(), 1U);
+  EXPECT_TRUE(stretched[0].look);
 }
 
 }  // namespace
