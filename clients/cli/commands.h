@@ -35,6 +35,7 @@ void add_train_score(Command parent, int& status);
 void add_calibrate(Command parent, int& status);
 void add_anchor_question(Command parent, int& status);
 void add_generality(Command parent, int& status);
+void add_study_imports(Command parent, int& status);
 void add_study_model(Command parent, int& status);
 void add_study_physiology(Command parent, int& status);
 void add_study_population(Command parent, int& status);

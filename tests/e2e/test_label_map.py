@@ -177,6 +177,38 @@ class LabelMaps(ProgramTest):
         self.run_ok("valve", "import", wrong, "--trust-labels", "-o", out)
         self.run_ok("valve", "import", wrong, "--label", "anterior=2", "--label", "posterior=1", "-o", out)
 
+    def test_a_label_map_comes_back_on_the_grid_that_it_was_drawn_on(self):
+        given = self.folder / "given.nrrd"
+        given.write_bytes(hanging_labels(1, 2))
+        valve = self.folder / "valve.json"
+        self.run_ok("valve", "import", given, "-o", valve)
+        for name in ("out.nrrd", "out.nii"):
+            out = self.folder / name
+            result = coapt("export", valve, "--open", "--grid", given, "-o", out)
+            self.assertIn(result.returncode, (0, NOT_CLOSED), result.stderr)
+            again = self.run_ok("valve", "import", out, "-o", self.folder / "again.json", "--json")
+            labels = {of["number"]: of["part"] for of in json.loads(again.stdout)["labels"]}
+            self.assertEqual(labels, {1: "anterior", 2: "posterior", 3: "annulus"})
+        self.assertIn(b"sizes: 60 60 14\n", (self.folder / "out.nrrd").read_bytes())
+        preset = coapt("export", "human-normal", "--open", "--grid", given, "-o", self.folder / "no.nrrd")
+        self.assertEqual(preset.returncode, BAD_INPUT)
+        self.assertIn("--grid", preset.stderr)
+
+    def test_a_folder_of_maps_is_studied_and_taken_up_again(self):
+        maps = self.folder / "maps"
+        maps.mkdir()
+        (maps / "a.nrrd").write_bytes(hanging_labels(1, 2))
+        (maps / "b.nrrd").write_bytes(hanging_labels(1, 1))
+        study = ("study", "imports", maps, "-o", self.folder / "study", "--json")
+        first = json.loads(self.run_ok(*study).stdout)
+        self.assertEqual(first["maps"], 2)
+        self.assertEqual(first["stages"]["refused"], 1)
+        table = (self.folder / "study/imports.csv").read_text().splitlines()
+        self.assertEqual([line.split(",")[0] for line in table], ["name", "a.nrrd", "b.nrrd"])
+        log = (self.folder / "study/imports.jsonl").read_text()
+        self.assertEqual(json.loads(self.run_ok(*study).stdout), first)
+        self.assertEqual((self.folder / "study/imports.jsonl").read_text(), log)
+
     def test_nothing_that_comes_of_images_names_a_patient(self):
         """Neither the valve nor the decisions nor any message."""
         keys = "PatientName:=DOE^JANE\nSegment0_Name:=DOE JANE anterior\nSegment0_LabelValue:=1\n"
