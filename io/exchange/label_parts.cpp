@@ -299,9 +299,8 @@ class LabelChoice {
       like = shape_of(*leaflet[0]);
     } else {
       const auto has_other = [&](const LabelShape& one) {
-        return std::count_if(shapes.begin(), shapes.end(), [&](const LabelShape& other) {
-                 return is_like(other, one);
-               }) > 1;
+        return std::count_if(shapes.begin(), shapes.end(),
+                             [&](const LabelShape& other) { return is_like(other, one); }) > 1;
       };
       const bool paired = std::any_of(shapes.begin(), shapes.end(), has_other);
       like.thickness = 1e300;

@@ -12,9 +12,9 @@ Answer PostDiagnosis::operator()(const Request& request) const {
       [](const RepairRequest& asked, RequestClosures& closures) {
         const ClosedValve closed = closures.close_and_measure(asked.repaired);
         const Expected<OpenedValve> opened = closures.open(asked.repaired, {});
-        const auto diagnosis = diagnose(closed.valve, closed.closure, closed.measure,
-                                        opened ? opened->measure.opening_area_mm2
-                                               : std::numeric_limits<double>::quiet_NaN());
+        const auto diagnosis = diagnose(
+            closed.valve, closed.closure, closed.measure,
+            opened ? opened->measure.opening_area_mm2 : std::numeric_limits<double>::quiet_NaN());
         if (!diagnosis)
           return problem(422, ErrorCode::BadGeometry,
                          "the valve does not close, so that nothing can be diagnosed: " +

@@ -180,8 +180,7 @@ TEST(Report, SaysWhenNoPlanIsAcceptable) {
   SearchResult result = search_result();
   result.any_acceptable = false;
   EXPECT_TRUE(
-      contains(html_of(result),
-               "No plan is acceptable; the ranking starts with the least bad."));
+      contains(html_of(result), "No plan is acceptable; the ranking starts with the least bad."));
 }
 
 TEST(Report, OfAPlanThatWasClosedOnlyOnceHasNoMaps) {
