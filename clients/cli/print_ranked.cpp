@@ -54,6 +54,9 @@ std::string leak_words(const Json& plan) {
   return left < kMildLeak_mm2 ? "mild" : fixed(left, 0) + " mm2";
 }
 
+/// Else nothing is known of errors of the hand.
+bool is_varied(const Json& plan) { return plan["region_closures"] > 1; }
+
 int muscles_sutured(const Json& plan) {
   const Json& steps = plan["plan"]["steps"];
   return static_cast<int>(std::count_if(steps.begin(), steps.end(), [](const Json& step) {
@@ -67,7 +70,8 @@ void print_header(std::ostream& out) {
 }
 
 void print_row(std::ostream& out, const Json& plan) {
-  const double likely = number_in(plan, "acceptable_probability");
+  const double likely = is_varied(plan) ? number_in(plan, "acceptable_probability")
+                                        : std::numeric_limits<double>::quiet_NaN();
   const double area = number_in(plan, "opening_area_mm2");
   out << std::setw(4) << plan["rank"].get<int>() << "  " << std::left << std::setw(14)
       << leak_words(plan) << std::right << std::setw(8)
@@ -167,6 +171,9 @@ std::string class_words(const Json& plans) {
   const Json& first = plans.front();
   if (!first.contains("class")) return "";  // a result of release 0.2
   const double mild = number_of(first["acceptable_probability"]);
+  if (!is_varied(first))
+    return "It is not known whether a plan is acceptable: none was closed under errors of the "
+           "hand.";
   if (!first["closes_robustly"].get<bool>())
     return "No plan is acceptable: the first one leaks less than 5 mm2 with a probability of " +
            percent(mild) + ".";

@@ -95,7 +95,8 @@ bool may_be(const Diagnosis& diagnosis, CarpentierType type);
 /// Segments that prolapse or are flail, sure or not.
 std::vector<SegmentDiagnosis> prolapsing(const Diagnosis& diagnosis);
 
-/// Why it leaks: "P2's marginal chordae are ruptured: its edge rides 9 mm over A2's, on a width of 15 mm (Carpentier II)."
+/// Why it leaks: "The valve leaks 84 ± 7 mm² because the chordae of P2 are ruptured: its edge lies 9 mm too high above the opposite
+/// leaflet over 25 mm of its length (Carpentier type II)."
 std::string sentence_of(const Diagnosis& diagnosis);
 
 }  // namespace coapt

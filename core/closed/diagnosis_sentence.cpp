@@ -29,15 +29,16 @@ std::vector<SegmentDiagnosis> of_finding(const std::vector<SegmentDiagnosis>& se
   return found;
 }
 
-/// "the edge of P2 stands 4 mm above the annulus, over 14 mm of its width".
-std::string height_of(const SegmentDiagnosis& segment) {
-  const std::string name = to_string(segment.segment);
-  const std::string width = segment.width_mm >= 1.0 ? " over " + in_mm(segment.width_mm) : "";
+/// "its edge stands up to 4 mm above the annulus over 14 mm of its length".
+std::string height_of(const SegmentDiagnosis& segment, bool is_alone) {
+  const std::string edge =
+      is_alone ? "its edge" : std::string("the edge of ") + to_string(segment.segment);
+  const std::string width =
+      segment.width_mm >= 1.0 ? " over " + in_mm(segment.width_mm) + " of its length" : "";
   if (segment.highest_mm >= 0.5)
-    return "the edge of " + name + " stands up to " + in_mm(segment.highest_mm) +
-           " above the annulus" + width;
-  return "the edge of " + name + " lies " + in_mm(std::max(0.0, segment.override_mm)) +
-         " too high over the opposite leaflet" + width;
+    return edge + " stands up to " + in_mm(segment.highest_mm) + " above the annulus" + width;
+  return edge + " lies " + in_mm(std::max(0.0, segment.override_mm)) +
+         " too high above the opposite leaflet" + width;
 }
 
 std::string of_excess(const Diagnosis& diagnosis) {
@@ -53,7 +54,7 @@ std::string of_excess(const Diagnosis& diagnosis) {
   if (!others.empty())
     what += (what.empty() ? "" : ", ") + names_of(others) +
             (others.size() == 1 ? " prolapses" : " prolapse");
-  return what + ": " + height_of(highest);
+  return what + ": " + height_of(highest, all.size() == 1);
 }
 
 std::string of_tethering(const Diagnosis& diagnosis) {
@@ -75,7 +76,7 @@ std::string of_annulus(const Diagnosis& diagnosis) {
   return "the annulus is too wide for its leaflets: " + with_decimals(diagnosis.ap_mm, 0) + " x " +
          in_mm(diagnosis.transverse_mm) + ", " +
          with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
-         " times as deep as wide (0.75 in health)";
+         " times as deep as wide, where health has 0.75";
 }
 
 std::string reason(const Diagnosis& diagnosis, CarpentierType type) {

@@ -45,7 +45,7 @@ class Answers(ServerTest):
         self.assert_problem(self.post("/v1/closures", {"valve": stored["id"]}), 422, "/valve")
 
     def test_plans_are_scored_in_the_order_asked_as_on_the_command_line(self):
-        ring = {"step": "annuloplasty", "shape": "generic-classic", "size_mm": 30}
+        ring = {"step": "annuloplasty", "shape": "generic-classic", "size_mm": 36}
         plans = [{"schema": "coapt.plan/1", "steps": steps} for steps in ([], [ring], [])]
         status, _, answer = self.post(
             "/v1/evaluations", {"valve": "human-functional-mr", "plans": plans, "region_points": 5}

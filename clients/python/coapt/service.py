@@ -44,6 +44,7 @@ class Service(StoredWork):
         openings: bool | None = None,
         fine_levels: int | None = None,
         model_draws: int | None = None,
+        rank_by_price: bool | None = None,
         seconds: float | None = None,
         no_improvement: int | None = None,
         target_mm2: float | None = None,
@@ -70,6 +71,7 @@ class Service(StoredWork):
         :param openings: open plans in diastole, too, once they are closed at more than one node (True)
         :param fine_levels: times that the mesh is refined for the verdict on each reported plan, 0 to 2 (1)
         :param model_draws: draws of tissue and chordae under which each reported plan is closed as planned, 0 to 200 (8)
+        :param rank_by_price: acceptable plans by their cost instead of classes that their simplest plans head (False)
         :param seconds: stop after this time, the last 40 % spent on ranking; 0: no limit (0)
         :param no_improvement: stop after so many closures without a better plan; 0: never (0)
         :param target_mm2: stop when mean + sd of a plan's leak over 17 nodes is not above this; -1: never (-1)
@@ -95,6 +97,7 @@ class Service(StoredWork):
             openings=openings,
             fine_levels=fine_levels,
             model_draws=model_draws,
+            rank_by_price=rank_by_price,
             seconds=seconds,
             no_improvement=no_improvement,
             target_mm2=target_mm2,

@@ -87,11 +87,12 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   doubtful.not_ruled_out = CarpentierType::IIIb;
   doubtful.ap_mm = 33.0;
   doubtful.transverse_mm = 36.0;
-  EXPECT_EQ(sentence_of(doubtful),
-            "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for its "
-            "leaflets: 33 x 36 mm, 0.92 times as deep as wide (0.75 in health) (Carpentier type "
-            "I). Type IIIb is not ruled out. The leak is too near 5 mm² to tell whether the valve "
-            "is competent.");
+  EXPECT_EQ(
+      sentence_of(doubtful),
+      "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for its "
+      "leaflets: 33 x 36 mm, 0.92 times as deep as wide, where health has 0.75 (Carpentier type "
+      "I). Type IIIb is not ruled out. The leak is too near 5 mm² to tell whether the valve "
+      "is competent.");
 }
 
 TEST(Diagnosis, IsTheSameHoweverTheValveLies) {

@@ -42,17 +42,17 @@ test('what the service says against an option stands at it', async () => {
 test('a search that is cancelled shows the best so far', async () => {
   await unfold('Optimiser')
   await set('Closures', '100000')
-  await set('Plans to show', '1')
+  await set('Plans to show', '5')
   await set('Region points', '17')
   await page.getByLabel('Evidence').uncheck()
   await start()
   await page.locator('[data-part=progress] dl', { hasText: /of 1\d\d,/ }).waitFor()
-  await page.locator('[data-part=plot] canvas').waitFor()
+  await page.getByText(/ mm² since \d+ closures of /).first().waitFor()
   await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor() // before, and with the plan
   await accessible()
   await page.getByRole('button', { name: 'Cancel' }).click()
   await page.getByText('The search was cancelled; this is the best so far.').waitFor()
-  assert.equal(await page.locator('[data-part=plan]').count(), 1)
+  assert.ok((await page.locator('[data-part=plan]').count()) > 0)
 })
 
 test('a search goes on when the page is loaded again', async () => {
