@@ -160,7 +160,9 @@ class Run:
             self.say("{}: passed, {:.0f} s".format(*row))
         else:
             self.failed = self.failed or phase.name
-            self.endings.append("\n".join([f"{phase.name}, the last lines of {log}:", *text.splitlines()[-LAST_LINES:]]))
+            self.endings.append(
+                "\n".join([f"{phase.name}, the last lines of {log}:", *text.splitlines()[-LAST_LINES:]])
+            )
             self.say(f"{text}\n{phase.name}: FAILED ({log})")
 
     def lane(self, phases):

@@ -14,6 +14,7 @@
 #include "core/opened/opened_valve.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/json/diagnosis_json.h"
 
 namespace coapt {

@@ -47,7 +47,10 @@ test('a search that is cancelled shows the best so far', async () => {
   await page.getByLabel('Evidence').uncheck()
   await start()
   await page.locator('[data-part=progress] dl', { hasText: /of 1\d\d,/ }).waitFor()
-  await page.getByText(/ mm² since \d+ closures of /).first().waitFor()
+  await page
+    .getByText(/ mm² since \d+ closures of /)
+    .first()
+    .waitFor()
   await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor() // before, and with the plan
   await accessible()
   await page.getByRole('button', { name: 'Cancel' }).click()
