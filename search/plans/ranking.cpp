@@ -85,10 +85,11 @@ int avoidable_warnings(const std::vector<Gate>& gates) {
 PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& record, int nodes,
                      const std::vector<Gate>& gates, bool durable, const Acceptance& acceptance) {
   PlanMerits merits;
-  const RegionReport region = region_report(record, nodes);
+  int failures = 0;
+  for (int node = 0; node < nodes; ++node) failures += !trusted(record.closures.at(node));
   merits.trusted = trusted(record.closures.at(0));
   merits.varied = nodes > 1;
-  merits.fails_often = region.failures > kOftenFailing * region.closures;
+  merits.fails_often = failures > kOftenFailing * nodes;
   merits.rejected = !record.rejected_by.empty();
   merits.stenotic = is_stenotic(record.opening);
   merits.acceptable_probability = acceptance.mean();
@@ -100,8 +101,8 @@ PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& recor
   merits.muscles = (suture_of(record.plan, Side::Anterolateral) != nullptr ? 1 : 0) +
                    (suture_of(record.plan, Side::Posteromedial) != nullptr ? 1 : 0);
   merits.sizes_below = record.effort.sizes_below;
-  merits.leak_mm2 =
-      nodes > 1 ? region.leak_mm2.mean + region.leak_mm2.sd : record.closures.at(0).leak_mm2;
+  const LeakStatistics leak = leak_statistics(record, nodes);
+  merits.leak_mm2 = nodes > 1 ? leak.mean + leak.sd : leak.nominal;
   merits.cost = evaluations.cost(record, nodes);
   if (durable)
     merits.cost += price(durability_terms(*durability(record)), evaluations.context().weights);
@@ -153,8 +154,6 @@ int disease_closures_left(const PlanRecord& plan) {
     left -= kDisease.first <= disturbance && disturbance < kDisease.first + kDisease.count;
   return durability(plan) ? 0 : left;
 }
-
-using Ranked = std::pair<RankedPlan, const PlanRecord*>;
 
 /// What the fine mesh says against a plan whose own mesh does not.
 void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
@@ -297,12 +296,11 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
   if (nodes == 0) return {};
   const bool durable = all_durabilities_known(plans);
   const bool finely = fine.mesh.levels > 0 && fine.plans.size() == plans.size();
-  std::vector<Ranked> all;
+  std::vector<RankedPlan> all;
   std::vector<PlanMerits> merits, own_merits;
   std::vector<Acceptance> acceptances;
   for (const PlanRecord* record : plans) {
-    all.emplace_back(ranked(evaluations, *record, nodes, fine, durable), record);
-    RankedPlan& plan = all.back().first;
+    RankedPlan& plan = all.emplace_back(ranked(evaluations, *record, nodes, fine, durable));
     own_merits.push_back(merits_of(evaluations, *record, nodes, plan.gates, durable,
                                    acceptance_of(evaluations, *record, nodes, {}, model)));
     if (finely) {
@@ -311,8 +309,8 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
       plan.terms.amounts += change.amounts;
     }
     acceptances.push_back(acceptance_of(evaluations, *record, nodes, fine, model));
-    merits.push_back(
-        merits_of(evaluations, *record, nodes, plan.gates, durable, acceptances.back()));
+    merits.push_back(own_merits.back());
+    merits.back().acceptable_probability = acceptances.back().mean();
     merits.back().cost += plan.fine_cost_change;
     merits.back().closes_finely = closes_finely(plan);
     plan.acceptable_probability = merits.back().acceptable_probability;
@@ -323,13 +321,13 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
   if (finely) {
     int place = 0;
     for (const PlanPlace& own : order_of(own_merits, options.rank_by_price))
-      all[own.index].first.own_mesh_rank = ++place;
+      all[own.index].own_mesh_rank = ++place;
   }
   const std::vector<PlanPlace> order = order_of(merits, options.rank_by_price);
   std::vector<RankedPlan> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto [index, of_class] = order[i];
-    RankedPlan& plan = all[index].first;
+    RankedPlan& plan = all[index];
     plan.rank = static_cast<int>(i) + 1;
     plan.of_class = of_class;
     plan.simplest_of_class = i == 0 || order[i - 1].of_class != of_class;
