@@ -15,6 +15,7 @@ namespace {
 constexpr double kAtCommissure = 1e-6;  // of `along`
 constexpr double kUnmoved = 1e-9;       // of `along`
 constexpr int kSeamPieces = 12;
+constexpr int kPathPieces = 4;  // of an edge, along the folds that it leads over
 
 Range widths_mm(const LeafletResection& step) {
   if (step.shape == ResectionShape::Quadrangular) return kQuadrangularMm;
@@ -25,22 +26,15 @@ Range widths_mm(const LeafletResection& step) {
 struct Place {
   bool on_leaflet = false;
   double along = 0.0, height = 0.0;
-  Vec3 lateral_mm = Vec3::Zero(), medial_mm = Vec3::Zero();  // its tissue, as seen from either side
 };
 
 class Resected {
  public:
   Resected(const LeafletCut& cut, const LeafletCoordinates& coordinates, const Valve& valve)
-      : cut_(cut), valve_(valve) {
+      : cut_(cut), coordinates_(coordinates), valve_(valve) {
     for (Index v = 0; v < valve.rest_mm.rows(); ++v) {
       const LeafletPoint point = leaflet_point(coordinates.around[v], coordinates.height[v]);
-      Place place{point.leaflet == cut.step().leaflet, point.along, point.height, {}, {}};
-      place.lateral_mm = place.medial_mm = valve.rest_mm.row(v);
-      if (place.on_leaflet && place.along <= cut.step().along)
-        place.lateral_mm = tissue_mm(v, place, -1, coordinates);
-      if (place.on_leaflet && place.along >= cut.step().along)
-        place.medial_mm = tissue_mm(v, place, 1, coordinates);
-      places_.push_back(place);
+      places_.push_back({point.leaflet == cut.step().leaflet, point.along, point.height});
     }
   }
 
@@ -57,11 +51,26 @@ class Resected {
   }
 
  private:
-  Vec3 tissue_mm(Index vertex, const Place& place, int side,
-                 const LeafletCoordinates& coordinates) const {
-    const double along = cut_.tissue_at(place.along, place.height, side);
-    if (std::abs(along - place.along) < kUnmoved) return valve_.rest_mm.row(vertex);
-    return rest_position_mm(valve_, coordinates, {cut_.step().leaflet, along, place.height});
+  /// Of the tissue that an edge on one side of the seam stands for, over the leaflet: a fold between its ends has tissue, too.
+  double path_mm(const Place& from, const Place& to, int side, double before_mm) const {
+    const double first = cut_.tissue_at(from.along, from.height, side),
+                 last = cut_.tissue_at(to.along, to.height, side);
+    if (std::abs(first - from.along) < kUnmoved && std::abs(last - to.along) < kUnmoved)
+      return before_mm;
+    const auto at_mm = [&](int piece) {
+      const double share = static_cast<double>(piece) / kPathPieces;
+      return rest_position_mm(valve_, coordinates_,
+                              {cut_.step().leaflet, std::lerp(first, last, share),
+                               std::lerp(from.height, to.height, share)});
+    };
+    double sum = 0.0;
+    Vec3 reached = at_mm(0);
+    for (int piece = 1; piece <= kPathPieces; ++piece) {
+      const Vec3 next = at_mm(piece);
+      sum += (next - reached).norm();
+      reached = next;
+    }
+    return sum;
   }
 
   double length_mm(int a, int b) const {
@@ -69,8 +78,8 @@ class Resected {
     const double before = (valve_.rest_mm.row(a) - valve_.rest_mm.row(b)).norm();
     if (!p.on_leaflet || !q.on_leaflet) return before;
     const double middle = cut_.step().along;
-    if (p.along <= middle && q.along <= middle) return (p.lateral_mm - q.lateral_mm).norm();
-    if (p.along >= middle && q.along >= middle) return (p.medial_mm - q.medial_mm).norm();
+    if (p.along <= middle && q.along <= middle) return path_mm(p, q, -1, before);
+    if (p.along >= middle && q.along >= middle) return path_mm(p, q, 1, before);
     const auto [from, to] = p.along < q.along ? std::tie(p, q) : std::tie(q, p);
     return before * cut_.across_seam({from.along, from.height}, {to.along, to.height});
   }
@@ -84,6 +93,7 @@ class Resected {
   }
 
   const LeafletCut& cut_;
+  const LeafletCoordinates& coordinates_;
   const Valve& valve_;
   std::vector<Place> places_;
 };

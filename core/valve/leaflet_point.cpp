@@ -64,6 +64,10 @@ Insertion locate(const Valve& valve, const LeafletCoordinates& coordinates,
                                    : corner[0].x() + wrapped(from_first);
       corner[k] = {across, coordinates.height[vertex] - point.height};
     }
+    // Not even the box about it is as near.
+    const Vec2 low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
+               high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]);
+    if (low.cwiseMax(-high).cwiseMax(0.0).squaredNorm() > nearest) continue;
     const std::array<double, 3> weights = nearest_weights(corner[0], corner[1], corner[2]);
     const double distance2 =
         (weights[0] * corner[0] + weights[1] * corner[1] + weights[2] * corner[2]).squaredNorm();
