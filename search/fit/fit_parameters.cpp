@@ -7,6 +7,7 @@
 #include "core/valve/leaflet_coordinates.h"
 #include "core/valve/leaflet_of.h"
 #include "core/valve/leaflets.h"
+#include "core/valve/ruptures.h"
 #include "core/valve/validate.h"
 
 namespace coapt {
@@ -84,7 +85,7 @@ std::string group_name(const Valve& valve, const Chorda& chorda) {
   if (!is_mitral(valve))
     where = leaflet_name(valve, static_cast<int>(face));
   else if (chorda.kind == ChordaKind::Marginal)
-    where = valve.drawn_chordae ? to_string(valve.segments[face])
+    where = valve.drawn_chordae ? to_string(held_by(valve, chorda).value_or(valve.segments[face]))
                                 : marginal_place(valve.segments[face]);
   else
     where = to_string(chorda.kind);
