@@ -100,14 +100,15 @@ Json to_json(const ExamBCase& made, const Valve& from, const ExamBRules& rules) 
 
 void add_shapes(Json& json, const ExamACase& made) {
   const CaseChoice& shown = made.choices[made.answer];
-  json["valve"] = valve_document(shown.closed.valve);
+  json["valve"] = valve_document(arrested(shown.closed.valve));
   json["flaccid_mm"] = to_thousandths(shown.flaccid_mm);
   for (std::size_t i = 0; i < kChoices; ++i)
     json["choices"][i]["closed_mm"] = to_thousandths(made.choices[i].closed.closure.closed_mm);
 }
 
 void add_shapes(Json& json, const ExamBCase& made) {
-  json["valve"] = valve_document(made.closed.valve);
+  json["valve"] = valve_document(arrested(made.closed.valve));
+  json["pressed_valve"] = valve_document(made.closed.valve);
   json["flaccid_mm"] = to_thousandths(made.flaccid_mm);
   json["closed_mm"] = to_thousandths(made.closed.closure.closed_mm);
 }

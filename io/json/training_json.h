@@ -11,8 +11,9 @@ namespace coapt {
 Json to_json(const ExamACase& made, const Valve& from, const ExamARules& rules = {});
 Json to_json(const ExamBCase& made, const Valve& from, const ExamBRules& rules = {});
 
-/// Adds what a page needs to show the case: "valve" (coapt.valve/1) of the valve that is pulled, its "flaccid_mm", and of
-/// each choice "closed_mm", flat lists [x, y, z, x, ...] of its vertices, rounded to 0.001 mm.
+/// Adds what a page needs to show the case: "valve" (coapt.valve/1), arrested(), that is pulled; its "flaccid_mm"; of exam B
+/// "pressed_valve", the same with its tips under pressure; of each choice "closed_mm". Shapes are flat lists [x, y, z, x, ...] of
+/// vertices, rounded to 0.001 mm.
 void add_shapes(Json& json, const ExamACase& made);
 void add_shapes(Json& json, const ExamBCase& made);
 

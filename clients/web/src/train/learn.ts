@@ -32,7 +32,7 @@ export class Learn {
     isFixed: false,
     look: { strain: true, prolapse: true, plane: true, cut: null },
   })
-  private readonly pressure = new Pressure((mmhg) => this.canvas.setPressure(mmhg))
+  private readonly pressure = new Pressure((mmhg) => this.press(mmhg))
   private readonly hooks = new HookPanel(this.canvas)
   private readonly pull = new ShownPull(this.canvas)
   private readonly examples = h('div', { 'data-part': 'exemplars' })
@@ -46,6 +46,8 @@ export class Learn {
     onchange: () => void this.open(),
   })
   private shown = '' // valve and seed
+  private made: CaseB | null = null
+  private isPressed = false
 
   /// `valve`: of which cases are made.
   constructor(
@@ -116,6 +118,8 @@ export class Learn {
       const made = await this.engine.make(valve, 'B', seed)
       const live = await this.canvas.start(JSON.stringify(made.valve), null, 0)
       if (asked !== this.shown) return
+      this.made = made
+      this.isPressed = false
       this.pressure.begin(live)
       this.pressure.set(0)
       this.canvas.onPicture = (picture) => {
@@ -137,6 +141,16 @@ export class Learn {
       this.shown = ''
       this.told.replaceChildren(problemList(problemsOf(error)))
     }
+  }
+
+  /// Papillary tips are where pressure has them, or where they are in an arrested heart.
+  private press(mmhg: number): void {
+    if (this.made && this.isPressed !== mmhg > 0) {
+      this.isPressed = mmhg > 0
+      const valve = this.isPressed ? this.made.pressed_valve : this.made.valve
+      this.canvas.change(JSON.stringify(valve), null).catch(() => {}) // said by onFailure
+    }
+    this.canvas.setPressure(mmhg)
   }
 
   private tell(made: CaseB): void {

@@ -14,7 +14,7 @@ interface CaseHeading {
   name: string // of the valve that it was made of
   difficulty: number
   chance: number // of a right answer, by guessing
-  valve: object // coapt.valve/1 of the valve that is pulled
+  valve: object // coapt.valve/1 of the valve that is pulled, of an arrested heart
 }
 
 export interface CaseA extends CaseHeading {
@@ -33,6 +33,7 @@ export interface SegmentTruth {
 
 export interface CaseB extends CaseHeading {
   exam: 'B'
+  pressed_valve: object // the same, its papillary tips where pressure has them
   limits: { pull_n: number; limit_mm: number }
   segments: SegmentTruth[]
 }
