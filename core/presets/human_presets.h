@@ -1,6 +1,6 @@
-// Human valves: a normal one, and one of each disease that is repaired. Geometry is a measured ratio of patients to controls
-// applied to the normal valve; what no source gives is said to be assumed, here and in each valve's provenance. None is a
-// patient.
+// Human valves: a healthy one, and one of each disease that is repaired, each of them the healthy one remodelled, on its chordae. The
+// healthy and the functional one are what `coapt valve calibrate` found for examples/calibration/human.json; the others are a measured
+// ratio of patients to controls, and what no source gives is said to be assumed in each valve's provenance. None is a patient.
 #pragma once
 
 #include <optional>
@@ -21,12 +21,11 @@ struct HumanValve {
 /// The valve itself, diseased. Errors are those of dimensions and change that make none.
 Expected<Valve> make_human_valve(const HumanValve& human);
 
-/// Health, as ParametricValve describes it.
+/// In health. Its slacks and tissue are what other healthy valves take.
 HumanValve human_normal();
-/// Functional regurgitation: a dilated, flattened annulus of 36 x 44 mm (PMC7368231), papillary tips drawn away, leaflets a
-/// little larger than in health.
+/// Functional regurgitation: a dilated, flattened annulus, papillary tips drawn away.
 HumanValve human_functional_mr();
-/// P2's marginal chordae ruptured, in an annulus dilated by 12 %.
+/// P2's marginal chordae ruptured, in an annulus dilated by 8 %.
 HumanValve human_p2_prolapse();
 /// Diffuse myxomatous disease: large, thick, extensible leaflets on long chordae in a large, flat annulus.
 HumanValve barlow();

@@ -8,10 +8,11 @@
 namespace coapt {
 namespace {
 
-/// A porcine valve of thesis table 2.2: measured diameters, everything else in proportion to them.
+/// A porcine valve of thesis table 2.2: measured diameters, sizes in proportion to them, slacks, tissue and inclinations of the
+/// healthy human valve.
 /// Leaflet heights are not in the table. `reserve` scales them so that the valve is competent on
 /// every mesh and begins to leak at about 10 % of anteroposterior dilation, as the thesis's does
-/// (figure 4.5): 1.05 to 1.07 for the larger valves (23.4 and 14.8 mm on 28 mm), more for the small
+/// (figure 4.5): 1.06 to 1.08 for the larger valves (23.6 and 14.9 mm on 28 mm), more for the small
 /// ones, whose leaflets are as thick.
 ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int triangles,
                         double reserve) {
@@ -28,7 +29,13 @@ ParametricValve porcine(std::string name, double ap_mm, double al_pm_mm, int tri
   d.tip_depth_mm = 0.81 * ap_mm;
   d.tip_spread_mm = 0.65 * al_pm_mm;
   d.tip_posterior_mm = 0.14 * ap_mm;
-  d.slack = kPresetSlacks;
+  const ParametricValve human = human_normal().dimensions;
+  d.anterior_inclination_deg = human.anterior_inclination_deg;
+  d.posterior_inclination_deg = human.posterior_inclination_deg;
+  d.posterior_fold_mm = human.posterior_fold_mm * ap_mm / human.ap_mm;
+  d.anterior_fold_mm = human.anterior_fold_mm * ap_mm / human.ap_mm;
+  d.slack = human.slack;
+  d.tissue = human.tissue;
   d.triangles = triangles;
   return d;
 }
@@ -64,11 +71,11 @@ Expected<Valve> porcine_heart(const std::string& name, int triangles) {
     int triangles;
     double reserve;
   };
-  constexpr Row kRows[] = {{28.1, 37.7, 621, 1.05},
-                           {28.4, 36.2, 655, 1.05},
-                           {25.9, 41.3, 624, 1.07},
-                           {18.4, 27.1, 611, 1.12},
-                           {18.3, 21.4, 736, 1.12}};
+  constexpr Row kRows[] = {{28.1, 37.7, 621, 1.06},
+                           {28.4, 36.2, 655, 1.06},
+                           {25.9, 41.3, 624, 1.08},
+                           {18.4, 27.1, 611, 1.13},
+                           {18.3, 21.4, 736, 1.13}};
   const Row& row = kRows[Heart - 1];
   return make_taut_valve(porcine(name, row.ap_mm, row.al_pm_mm,
                                  triangles > 0 ? triangles : row.triangles, row.reserve));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/presets/human_presets.h"
 #include "core/presets/taut_valve.h"
 #include "core/valve/leaflet_coordinates.h"
 #include "core/valve/leaflet_point.h"
@@ -135,13 +136,15 @@ void name_chordae(Valve& valve) {
   }
 }
 
-/// Lengths of the closed state, times a slack drawn for the valve and one for each chorda.
+/// Lengths of the closed state, times the healthy preset's slack of the group, one drawn for the valve and one for each chorda.
 Expected<Valve> with_drawn_lengths(const Valve& valve, Draw& draw, const ClosureBudget& budget) {
   Expected<Valve> made = taut_when_closed(valve, budget);
   if (!made) return made;
-  const double slack = kPresetSlack * (1.0 + kValveSlackSd * draw.normal());
+  const ChordalSlack healthy = human_normal().dimensions.slack;
+  const double slack = 1.0 + kValveSlackSd * draw.normal();
   for (Chorda& chorda : made->chordae) {
-    const double own = slack * (1.0 + kChordaSlackSd * draw.normal());
+    const double own =
+        slack * (1.0 + kChordaSlackSd * draw.normal()) * slack_of(healthy, *made, chorda);
     for (ChordaSegment& segment : chorda.segments) segment.rest_length_mm *= own;
   }
   return made;

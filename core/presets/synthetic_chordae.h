@@ -6,7 +6,7 @@
 // slack. Seed 0 is the mean of all draws, the pattern of parametric valves; the others are draws.
 //
 // Assumed, for want of sources: by how much trunks, struts and basal chordae move along the edge and the leaflet, and the spread of
-// slack (5 % between valves, 3 % between chordae).
+// slack (the healthy preset's of the group; 5 % between valves, 3 % between chordae).
 #pragma once
 
 #include "core/closure/closure_options.h"

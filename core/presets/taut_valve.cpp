@@ -15,18 +15,6 @@ namespace {
 
 constexpr int kLengthTriangles = 650;  // the mesh that chordae lengths are taken from
 
-/// Length of a chorda over its length in the closed, pressurised valve.
-double slack_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
-  const bool medial = valve.heads[chorda.head].side == Side::Posteromedial;
-  const double side = 1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack;
-  if (chorda.kind == ChordaKind::Strut) return d.slack.strut * side;
-  if (chorda.kind == ChordaKind::Basal) return d.slack.basal * side;
-  const std::optional<Segment> held = held_by(valve, chorda);
-  if (!held) return d.slack.commissural * side;
-  const bool anterior = leaflet_of(*held) == Leaflet::Anterior;
-  return (anterior ? d.slack.anterior : d.slack.posterior) * side;
-}
-
 std::string lengths_in_words(const ParametricValve& d) {
   const auto both_sides = [&](double slack) {
     const double al = slack * (1.0 - d.asymmetry.slack), pm = slack * (1.0 + d.asymmetry.slack);
@@ -43,7 +31,20 @@ std::string lengths_in_words(const ParametricValve& d) {
          both_sides(slack.basal);
 }
 
+double side_of(const ParametricValve& d, const Valve& valve, const Chorda& chorda) {
+  const bool medial = valve.heads[chorda.head].side == Side::Posteromedial;
+  return 1.0 + (medial ? 1.0 : -1.0) * d.asymmetry.slack;
+}
+
 }  // namespace
+
+double slack_of(const ChordalSlack& slack, const Valve& valve, const Chorda& chorda) {
+  if (chorda.kind == ChordaKind::Strut) return slack.strut;
+  if (chorda.kind == ChordaKind::Basal) return slack.basal;
+  const std::optional<Segment> held = held_by(valve, chorda);
+  if (!held) return slack.commissural;
+  return leaflet_of(*held) == Leaflet::Anterior ? slack.anterior : slack.posterior;
+}
 
 Expected<Valve> taut_when_closed(const Valve& valve, const ClosureBudget& budget) {
   ClosureOptions to_rest;
@@ -73,10 +74,13 @@ Expected<Valve> make_taut_valve(const ParametricValve& dimensions, const Closure
   if (Errors errors = validate(*open); !errors.empty()) return errors;
   const Expected<Valve> taut = taut_when_closed(*open, budget);
   if (!taut) return taut;
-  for (std::size_t c = 0; c < taut->chordae.size(); ++c)
-    for (std::size_t s = 0; s < taut->chordae[c].segments.size(); ++s)
-      made->chordae[c].segments[s].rest_length_mm = slack_of(dimensions, *open, taut->chordae[c]) *
-                                                    taut->chordae[c].segments[s].rest_length_mm;
+  for (std::size_t c = 0; c < taut->chordae.size(); ++c) {
+    const Chorda& chorda = taut->chordae[c];
+    const double slack =
+        slack_of(dimensions.slack, *open, chorda) * side_of(dimensions, *open, chorda);
+    for (std::size_t s = 0; s < chorda.segments.size(); ++s)
+      made->chordae[c].segments[s].rest_length_mm = slack * chorda.segments[s].rest_length_mm;
+  }
   made->provenance.push_back(lengths_in_words(dimensions));
   if (Errors errors = validate(*made); !errors.empty()) return errors;
   return made;

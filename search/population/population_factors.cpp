@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/presets/taut_valve.h"
-
 namespace coapt {
 namespace {
 
@@ -45,35 +43,47 @@ enum Lesional {
   PosteromedialTip = 13  // three
 };
 
-/// `posterior`: of posterior and commissural chordae over the others'.
-ChordalSlack slack_with(double slack, double posterior) {
-  return {slack, slack * posterior, slack * posterior, slack, slack};
+/// The healthy valve's slacks, each times so much, posterior ones times `posterior` more.
+ChordalSlack times(ChordalSlack slack, double all, double posterior) {
+  for (double* group :
+       {&slack.anterior, &slack.posterior, &slack.commissural, &slack.strut, &slack.basal})
+    *group *= all;
+  slack.posterior *= posterior;
+  return slack;
 }
 
 }  // namespace
 
 const std::array<PopulationFactor, kAnatomyFactors>& anatomy_factors() {
-  static constexpr std::array<PopulationFactor, kAnatomyFactors> kFactors = {
-      {{"ap_mm", "annulus, anteroposterior", 29.0, 8.0, 80.0},
-       {"al_pm_mm", "annulus, transverse", 39.0, 8.0, 100.0},
-       {"saddle_height_mm", "annulus, height of the saddle", 6.8, 0.0, 20.0},
-       {"anterior_height_mm", "leaflet height, A2", 23.5, 4.0, 60.0},
-       {"posterior_height_mm", "leaflet height, P2", 15.25, 3.0, 60.0},
-       {"lateral_height_mm", "leaflet height, P1 and P3", 14.25, 3.0, 60.0},
-       {"commissure_height_mm", "leaflet height, commissures", 9.0, 2.0, 30.0},
-       {"anterior_arc", "anterior share of the annulus", 0.38, 0.25, 0.5},
-       {"trigone_share", "trigones, share from peak to commissure", 0.66, 0.3, 1.0},
-       {"tip_depth_mm", "papillary tips below the annulus", 23.5, 8.0, 60.0},
-       {"tip_spread_mm", "distance of the papillary tips", 26.0, 4.0, 60.0},
-       {"tip_posterior_mm", "papillary tips behind the centre", 4.0, -20.0, 20.0},
-       {"slack", "slack of the chordae", kPresetSlack, 0.8, 1.5},
-       {"posterior_slack", "slack of posterior chordae, factor", 1.0, 0.8, 1.5},
-       {"tip_asymmetry_transverse_mm", "asymmetry of tips, transverse", 0.5, -10.0, 10.0},
-       {"tip_asymmetry_posterior_mm", "asymmetry of tips, posterior", 0.5, -10.0, 10.0},
-       {"tip_asymmetry_apical_mm", "asymmetry of tips, apical", 0.0, -10.0, 10.0},
-       {"height_asymmetry", "asymmetry of the leaflet height", 0.03, -0.4, 0.4},
-       {"thickness_mm", "leaflet thickness", 1.0, 0.3, 4.0},
-       {"stiffness", "stiffness of the leaflets, factor", 1.0, 0.1, 10.0}}};
+  static const std::array<PopulationFactor, kAnatomyFactors> kFactors = [] {
+    const ParametricValve d = human_normal().dimensions;
+    return std::array<PopulationFactor, kAnatomyFactors>{
+        {{"ap_mm", "annulus, anteroposterior", d.ap_mm, 8.0, 80.0},
+         {"al_pm_mm", "annulus, transverse", d.al_pm_mm, 8.0, 100.0},
+         {"saddle_height_mm", "annulus, height of the saddle", *d.saddle_height_mm, 0.0, 20.0},
+         {"anterior_height_mm", "leaflet height, A2", *d.anterior_height_mm, 4.0, 60.0},
+         {"posterior_height_mm", "leaflet height, P2", *d.posterior_height_mm, 3.0, 60.0},
+         {"lateral_height_mm", "leaflet height, P1 and P3", *d.lateral_height_mm, 3.0, 60.0},
+         {"commissure_height_mm", "leaflet height, commissures", *d.commissure_height_mm, 2.0,
+          30.0},
+         {"anterior_arc", "anterior share of the annulus", d.anterior_arc, 0.25, 0.5},
+         {"trigone_share", "trigones, share from peak to commissure", d.trigone_share, 0.3, 1.0},
+         {"tip_depth_mm", "papillary tips below the annulus", d.tip_depth_mm, 8.0, 60.0},
+         {"tip_spread_mm", "distance of the papillary tips", d.tip_spread_mm, 4.0, 60.0},
+         {"tip_posterior_mm", "papillary tips behind the centre", d.tip_posterior_mm, -20.0, 20.0},
+         {"slack", "slack of the chordae over the healthy valve's, factor", 1.0, 0.7, 1.3},
+         {"posterior_slack", "slack of posterior chordae, factor", 1.0, 0.8, 1.5},
+         {"tip_asymmetry_transverse_mm", "asymmetry of tips, transverse", d.asymmetry.tip_mm.x(),
+          -10.0, 10.0},
+         {"tip_asymmetry_posterior_mm", "asymmetry of tips, posterior", d.asymmetry.tip_mm.y(),
+          -10.0, 10.0},
+         {"tip_asymmetry_apical_mm", "asymmetry of tips, apical", d.asymmetry.tip_mm.z(), -10.0,
+          10.0},
+         {"height_asymmetry", "asymmetry of the leaflet height", d.asymmetry.leaflet_height, -0.4,
+          0.4},
+         {"thickness_mm", "leaflet thickness", d.tissue.thickness_mm, 0.3, 4.0},
+         {"stiffness", "stiffness of the leaflets, factor", 1.0, 0.1, 10.0}}};
+  }();
   return kFactors;
 }
 
@@ -126,7 +136,7 @@ HumanValve healthy_valve(const AnatomyValues& anatomy) {
   d.tip_depth_mm = anatomy[TipDepth];
   d.tip_spread_mm = anatomy[TipSpread];
   d.tip_posterior_mm = anatomy[TipPosterior];
-  d.slack = slack_with(anatomy[Slack], anatomy[PosteriorSlack]);
+  d.slack = times(d.slack, anatomy[Slack], anatomy[PosteriorSlack]);
   d.asymmetry.tip_mm = Vec3(anatomy[TipAsymmetryTransverse], anatomy[TipAsymmetryPosterior],
                             anatomy[TipAsymmetryApical]);
   d.asymmetry.leaflet_height = anatomy[HeightAsymmetry];
@@ -140,24 +150,19 @@ HumanValve diseased_valve(Aetiology aetiology, const AnatomyValues& anatomy,
                           const LesionValues& lesions) {
   HumanValve human = healthy_valve(anatomy);
   ParametricValve& d = human.dimensions;
-  if (aetiology == Aetiology::Barlow) {
-    // How myxomatous tissue differs is one of the preset's assumptions.
-    d.tissue = barlow().dimensions.tissue;
-    d.tissue.thickness_mm = anatomy[Thickness];
-    d.tissue.circumferential_post_kpa *= anatomy[Stiffness];
-    d.tissue.radial_post_kpa *= anatomy[Stiffness];
-  }
-  if (aetiology == Aetiology::Ischaemic || aetiology == Aetiology::Dilated)
-    d.systole = human_functional_mr().dimensions.systole;
   d.ap_mm *= lesions[ApGrowth];
   d.al_pm_mm *= lesions[TransverseGrowth];
   for (std::optional<double>* height : {&d.anterior_height_mm, &d.posterior_height_mm,
                                         &d.lateral_height_mm, &d.commissure_height_mm})
     **height *= lesions[LeafletGrowth];
-  d.slack = slack_with(anatomy[Slack] * lesions[ChordaeGrowth],
-                       anatomy[PosteriorSlack] * lesions[PosteriorChordaeGrowth]);
-  d.tissue.thickness_mm *= lesions[ThicknessGrowth];
+  d.slack = times(d.slack, lesions[ChordaeGrowth], lesions[PosteriorChordaeGrowth]);
   Remodelling& change = human.change.emplace();
+  if (aetiology == Aetiology::Barlow) {
+    // How myxomatous tissue differs is one of the preset's assumptions.
+    change.tissue = barlow().change->tissue;
+    change.systole = barlow().change->systole;
+  }
+  change.tissue.thickness_percent = 100.0 * lesions[ThicknessGrowth];
   change.elongated = {{Segment::P2, 100.0 * (lesions[P2Slack] - 1.0)}};
   change.ap_dilation_percent = lesions[ApDilation];
   change.annular_height_percent = lesions[AnnularHeight];

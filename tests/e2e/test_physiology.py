@@ -1,4 +1,4 @@
-"""Calibrated valves beside what hearts do: every row is met, or is named here with the reason."""
+"""Presets are the calibrated valves. Beside what hearts do every row of theirs is met, or is named here with the reason."""
 
 import json
 import unittest
@@ -64,16 +64,25 @@ VALVES = {
 
 class CalibratedValves(ProgramTest):
     def missed(self, name, kind):
-        valve = self.folder / f"{name}.json"
-        dimensions = SOURCE / "examples" / "calibration" / f"{name}.json"
-        self.run_ok("valve", "make", "--dimensions", dimensions, "-o", valve)
-        told = json.loads(self.run_ok("study", "physiology", valve, "--kind", kind, "--json").stdout)
+        told = json.loads(self.run_ok("study", "physiology", name, "--kind", kind, "--json").stdout)
         return {row["quantity"] for row in told["rows"] if row["low"] is not None and row["verdict"] != "met"}
 
     def test_rows_that_are_missed_are_those_that_are_named(self):
         for name, (kind, named) in VALVES.items():
             with self.subTest(name):
                 self.assertEqual(self.missed(name, kind), set(named))
+
+    def test_presets_are_what_the_files_of_calibration_make(self):
+        for name in VALVES:
+            with self.subTest(name):
+                file = SOURCE / "examples" / "calibration" / f"{name}.json"
+                preset, made = (
+                    json.loads(self.run_ok("valve", "make", *source, "-o", "-").stdout)
+                    for source in ([name], ["--dimensions", file])
+                )
+                for valve in (preset, made):
+                    del valve["provenance"]
+                self.assertEqual(preset, made)
 
 
 if __name__ == "__main__":

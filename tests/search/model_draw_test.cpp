@@ -7,6 +7,7 @@
 #include "core/closure/closure.h"
 #include "core/presets/presets.h"
 #include "core/valve/validate.h"
+#include "core/valve/parametric.h"
 #include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
@@ -78,7 +79,9 @@ TEST(ModelDraw, EachParameterMovesWhatItSays) {
 }
 
 TEST(ModelDraw, WhatIsLeftUntilTheTransitionMovesInVivoAndExcised) {
-  Valve valve = shared_preset("human-normal", 150);  // in vivo: 5 and 12 % are left
+  ParametricValve dimensions;  // in vivo: 5 and 12 % are left
+  dimensions.triangles = 150;
+  Valve valve = *make_parametric_valve(dimensions);
   const int along = index_of("circumferential transition"), across = index_of("radial transition");
   const auto left = [](const Valve& v) {
     const auto [stretch1, stretch2] = prestretch(v.tissue);

@@ -15,6 +15,9 @@
 namespace coapt {
 namespace {
 
+/// Folds that are a single vertex wide, as on 200 triangles, creep: where tolerances end a closure is up to 0.2 mm from rest.
+constexpr int kFolded = 300;
+
 Valve human(int triangles = 200) { return shared_preset("human-normal", triangles); }
 
 /// Applies x -> R x to everything that has a place; `mirror` also restores the winding.
@@ -125,7 +128,7 @@ TEST(Closure, OfTheMirrorImageIsTheMirrorImage) {
 
 TEST(Closure, OfTheTurnedOrMirroredValveMayDifferInSlackTissueOnlyWhenFast) {
   // The order of sums differs, the way to rest with it, and slack edges may come to rest elsewhere.
-  const Valve valve = human();
+  const Valve valve = human(kFolded);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   const Eigen::Matrix3d mirror = Vec3(-1, 1, 1).asDiagonal();
@@ -153,7 +156,7 @@ TEST(Closure, ClimbsTheWholeLadderBeforeItSaysThatItDidNotConverge) {
 }
 
 TEST(Closure, FromItsOwnClosureStaysThere) {
-  const Valve valve = human();
+  const Valve valve = human(kFolded);
   const ClosureResult cold = close_valve(valve);
   const ClosureResult warm = close_valve(valve, {}, &cold);
   ASSERT_EQ(warm.status, ClosureStatus::Converged);

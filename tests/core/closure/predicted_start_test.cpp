@@ -116,7 +116,7 @@ Valve displaced(const Valve& valve, double apical_mm) {
 }
 
 TEST(PredictedStart, LeadsToTheSameEndInFewerStepsThanOneNeighbour) {
-  const Valve& valve = small_preset("human-normal");
+  const Valve& valve = shared_preset("human-normal", 300);
   const Valve wanted = displaced(valve, 0.5);
   const ClosureResult near = close_valve(valve),
                       far = close_valve(displaced(valve, 1.0), {}, &near);

@@ -22,6 +22,9 @@ namespace {
 constexpr double kSystole_mmhg = 120.0;
 constexpr int kMostSteps = 30000;
 
+/// Folds that are a single vertex wide, as on 200 triangles, creep: where tolerances end a cold closure is up to 0.2 mm from rest.
+const Valve& folded(const std::string& name) { return shared_preset(name, 300); }
+
 /// Whether it came to rest.
 bool settle(LiveValve& live) {
   for (int done = 0; done < kMostSteps && !live.at_rest(); done += 60) live.advance(60);
@@ -80,7 +83,7 @@ void random_pull(LiveValve& live, int kind, std::mt19937_64& engine, const Shown
 TEST(LiveValve, LetGoEndsInTheColdClosureAndNeverShowsACrossing) {
   std::mt19937_64 engine(1);
   for (const char* name : {"human-p2-prolapse", "marfan", "porcine-2", "secondary-mr"}) {
-    const Valve& valve = small_preset(name);
+    const Valve& valve = folded(name);
     const Points cold = cold_mm(valve);
     LiveValve live(valve, kSystole_mmhg);
     ASSERT_TRUE(settle(live)) << name;
@@ -114,7 +117,7 @@ TEST(LiveValve, TheSameCallsGiveTheSameBits) {
 }
 
 TEST(LiveValve, PressureToZeroAndBackClosesItAgain) {
-  const Valve& valve = small_preset("human-normal");
+  const Valve& valve = folded("human-normal");
   LiveValve live(valve, kSystole_mmhg);
   ASSERT_TRUE(settle(live));
   const Points closed = leaflets_mm(live);
@@ -129,7 +132,7 @@ TEST(LiveValve, PressureToZeroAndBackClosesItAgain) {
 }
 
 TEST(LiveValve, AChangeKeepsLeafletsWhereTheyAreAndEndsInTheChangedValvesColdClosure) {
-  const Valve& valve = small_preset("human-functional-mr");
+  const Valve& valve = folded("human-functional-mr");
   const RepairStep ring = Annuloplasty{CatalogueRing{"generic-classic", 32.0}};
   const RepairStep shorter = ChordalLengthChange{valve.chordae.front().id, -2.0};
   for (const RepairStep& step : {ring, shorter}) {

@@ -124,6 +124,7 @@ ImportSource preset_leaflets(const char* preset, bool closed) {
   anterior.flip();
   source.leaflets.push_back(part_of(whole, anterior));
   source.annulus_mm = whole.vertices_mm(valve.annulus, Eigen::all);
+  if (closed) source.tissue = valve.tissue;
   return source;
 }
 

@@ -12,7 +12,8 @@ TriangleMesh thickened(const TriangleMesh& sheet, double thickness_mm, double no
 /// The surface of the voxels nearer to the sheet than half the thickness: faces of cubes, two triangles each.
 TriangleMesh voxel_shell(const TriangleMesh& sheet, double thickness_mm, double voxel_mm);
 
-/// A preset's anterior and posterior leaflet, open or closed, with its annulus.
+/// A preset's anterior and posterior leaflet, open or closed, with its annulus; closed with its tissue, by which open ones are
+/// shorter.
 ImportSource preset_leaflets(const char* preset, bool closed);
 
 }  // namespace coapt

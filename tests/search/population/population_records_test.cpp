@@ -65,7 +65,7 @@ TEST(Candidates, ARingThatPracticeRejectsGivesWayToTheNextLargerOne) {
   };
   EXPECT_EQ(std::get<OwnRing>(ring_of(4)).sizes_below, 4);
   // Deeper than the ring is: four sizes of its width are more than four of its area.
-  valve.annulus_mm.col(0) *= 1.15;
+  valve.annulus_mm.col(0) *= 1.31;
   EXPECT_EQ(std::get<OwnRing>(ring_of(4)).sizes_below, 3);
   EXPECT_EQ(std::get<OwnRing>(ring_of(3)).sizes_below, 3);
 }
