@@ -149,8 +149,13 @@ struct Candidate {
   double score = -1e300, off_plane_mm = 0.0, gap_mm = 0.0;
 };
 
+struct Loop {
+  Points points_mm;      ///< of the sectors, in the frame; none of stretches that lead nowhere
+  double open_mm = 0.0;  ///< length of what is between the sectors that stretches lead through
+};
+
 /// Mean distance from the axis and height in each sector; empty sectors between their neighbours.
-Points by_angle(const std::vector<Points>& stretches) {
+Loop by_angle(const std::vector<Points>& stretches) {
   Eigen::MatrixX3d sums = Eigen::MatrixX3d::Zero(kAngles, 3);  // r, z, count
   for (const Points& stretch : stretches) {
     for (Eigen::Index i = 0; i + 1 < stretch.rows(); ++i) {
@@ -178,7 +183,10 @@ Points by_angle(const std::vector<Points>& stretches) {
     const double angle = 2.0 * std::numbers::pi * ((s + 0.5) / kAngles - 0.5);
     loop.row(s) << rz[0] * std::cos(angle), rz[0] * std::sin(angle), rz[1];
   }
-  return loop;
+  double open_mm = 0.0;
+  for (int s = 0; s < kAngles; ++s)
+    if (!filled(s)) open_mm += (loop.row((s + 1) % kAngles) - loop.row(s)).norm();
+  return {loop, open_mm};
 }
 
 Candidate candidate(const std::vector<Points>& outlines, const Vec3& axis, const Vec3& centre,
@@ -194,9 +202,11 @@ Candidate candidate(const std::vector<Points>& outlines, const Vec3& axis, const
       stretches[i] = annular_stretch(framed[i], depth_mm, ends_of(stretches[1 - i]));
   Candidate found;
   found.axis = axis;
-  Points loop = by_angle(stretches);
+  const auto [loop, open_mm] = by_angle(stretches);
   if (loop.rows() == 0) return found;
-  found.gap_mm = 0.5 * gap_mm(from_ends(ends_of(stretches[0]), ends_of(stretches[1])), 0, 1);
+  found.gap_mm =
+      0.5 *
+      std::max(open_mm, gap_mm(from_ends(ends_of(stretches[0]), ends_of(stretches[1])), 0, 1));
   double area = 0.0;
   for (int i = 0; i < kAngles; ++i) {
     const Eigen::RowVector3d a = loop.row(i), b = loop.row((i + 1) % kAngles);

@@ -21,7 +21,8 @@ struct FoundAnnulus {
   Points annulus_mm;    ///< closed loop, at equal angles about its axis
   double margin = 0.0;  ///< by how much its score exceeds that of the next other loop, of its own
   double off_plane_mm = 0.0;  ///< rms
-  double gap_mm = 0.0;        ///< where the stretches of the two sheets meet, in the mean
+  double gap_mm =
+      0.0;  ///< where the stretches of the two sheets meet, in the mean; at least half of what neither leads through
 };
 
 /// Sheets must be repaired ones (sheet_repair.h). Errors at /annulus_mm: it cannot be told.

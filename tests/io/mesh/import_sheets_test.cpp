@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
@@ -57,6 +58,12 @@ TEST(ImportSheets, TheAnnulusIsFoundAlongTheOutlines) {
       const Points given = source.annulus_mm;
       source.annulus_mm.resize(0, 3);
       const Expected<FoundAnnulus> found = find_annulus(source);
+      // Leaflets that hang outwards below a flattened annulus: the free edge is as wide a loop, and the import asks.
+      if (!closed && std::string_view(preset) == "secondary-mr") {
+        ASSERT_FALSE(found);
+        EXPECT_NE(found.errors()[0].message.find("two loops are as likely"), std::string::npos);
+        continue;
+      }
       EXPECT_TRUE(found) << preset << closed << found.errors()[0].message;
       if (!found) continue;
       const double rms = loop_rms_mm(found->annulus_mm, given);
