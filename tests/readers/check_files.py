@@ -25,7 +25,7 @@ VALVES = {
     "open": ["human-p2-prolapse", "--open"],
 }
 POINT_DATA = {"height_mm"}
-FACE_DATA = {"leaflet", "segment", "strain_circumferential", "strain_radial"}
+FACE_DATA = {"leaflet", "segment", "crossing", "strain_circumferential", "strain_radial"}
 LINE_DATA = {"chorda", "kind", "rest_length_mm", "diameter_mm", "tension_n"}
 LINE_DATA |= {f"to_insertion_{axis}" for axis in "xyz"}
 # Of SlicerHeart's Valve Quantification, preset mitral valve (MeasurementPreset.py, MeasurementPresetMitralValve.py) and
