@@ -89,8 +89,9 @@ struct LiveValve::State {
   std::array<Vec3, kHooks> hook_mm{};
   double travel_mm = 0.0;  // of annulus and tips in one step
   double longest_move_mm = 0.0;
-  bool guarded = false;  // edges have contact
-  int beat_steps = 0;    // left, at most, until the beat that has begun closes
+  bool guarded = false;   // edges have contact
+  int beat_steps = 0;     // left, at most, until the beat that has begun closes
+  bool beat_due = false;  // once it is at rest: its valve was changed
   int looks = 0;
   int returns_here = 0, returns = 0, still_steps = 0;
 
@@ -125,6 +126,7 @@ struct LiveValve::State {
   }
 
   void start_beat() {
+    beat_due = false;
     beat_steps = kBeat_steps;
     if (guarded) moving->guard({});
     guarded = false;
@@ -134,6 +136,7 @@ struct LiveValve::State {
   /// Closes from the unstressed shape to the last bit, as a cold closure does. Where folds that have caught in each other held
   /// some nodes back, they leap there.
   void end_beat() {
+    beat_due = false;
     beat_steps = 0;
     begin(model.rest_mm);
   }
@@ -188,6 +191,13 @@ struct LiveValve::State {
     } else if (looks % kLooksToReturn == 0) {
       go_back();
     }
+    if (beat_due && still_steps >= kStill_steps && may_beat()) start_beat();
+  }
+
+  /// Under pressure, and in nobody's hand.
+  bool may_beat() const {
+    return pressure_mmhg > 0.0 && std::none_of(hooks.begin(), hooks.end(),
+                                               [](const auto& held) { return held.has_value(); });
   }
 
   void hold(int at, std::vector<NodeShare> shares) {
@@ -212,6 +222,7 @@ void LiveValve::change(const Valve& valve) {
   const bool same_heads = valve.heads.size() == s.valve.heads.size();
   s.valve = valve;
   if (s.prepared->serves(valve, {})) {
+    s.beat_due = true;
     s.load();
     return;
   }
@@ -226,6 +237,7 @@ void LiveValve::change(const Valve& valve) {
   };
   for (std::optional<Hook>& hook : s.hooks)
     if (hook && (!same || (holds_chorda(*hook) && !same_cables(s.model, model)))) hook.reset();
+  s.beat_due = same;
   s.moving.reset();
   s.prepared.emplace(valve, ClosureOptions{});
   s.model = std::move(model);
@@ -273,9 +285,7 @@ void LiveValve::release(int hook) {
   if (!s.hooks[hook]) return;
   s.hooks[hook].reset();
   s.still_steps = 0;
-  if (s.pressure_mmhg > 0.0 && std::none_of(s.hooks.begin(), s.hooks.end(),
-                                            [](const auto& held) { return held.has_value(); }))
-    s.start_beat();
+  if (s.may_beat()) s.start_beat();
 }
 
 const std::optional<Hook>& LiveValve::hook(int hook) const { return state_->hooks[hook]; }
@@ -314,7 +324,8 @@ Vec3 LiveValve::spot_mm(int hook) const {
 
 double LiveValve::longest_move_mm() const { return state_->longest_move_mm; }
 bool LiveValve::at_rest() const {
-  return state_->beat_steps == 0 && state_->still_steps >= kStill_steps;
+  return state_->beat_steps == 0 && state_->still_steps >= kStill_steps &&
+         !(state_->beat_due && state_->may_beat());
 }
 bool LiveValve::beats() const { return state_->beat_steps > 0; }
 int LiveValve::returns() const { return state_->returns; }

@@ -4,8 +4,9 @@
 // state that is shown was tested for crossings. Where leaflets would cross, the valve goes back to the last state that was
 // uncrossed and goes on in shorter moves and with contact of edges; if that does not help, hooks give way to where the tissue is.
 //
-// A valve has more than one closed state, and a hook may leave it in another one than it closes to. So a valve under pressure that
-// is let go beats once: it goes back to its unstressed shape and closes from there, step by step as close_valve does.
+// A valve has more than one closed state, and a hook or a change may leave it in another one than it closes to. So a valve under
+// pressure that is let go, or has come to rest after a change, beats once: it goes back to its unstressed shape and closes from
+// there, step by step as close_valve does.
 #pragma once
 
 #include <array>
@@ -46,8 +47,8 @@ class LiveValve {
   LiveValve(const LiveValve&) = delete;
   LiveValve& operator=(const LiveValve&) = delete;
 
-  /// Goes on with this valve from where the leaflets are; hooks stay, but those on chordae or ties only where these are the same.
-  /// Where the mesh is another one, from its unstressed shape, and hooks are let go. @pre validate(valve) is empty.
+  /// Goes on with this valve from where the leaflets are, and beats once it has come to rest; hooks stay, but those on chordae or
+  /// ties only where these are the same. Where the mesh is another one, from its unstressed shape, and hooks are let go. @pre validate(valve) is empty.
   void change(const Valve& valve);
 
   /// @pre in kLivePressures_mmhg.
@@ -80,9 +81,9 @@ class LiveValve {
 
   /// Longest move of a node in the last step, mm.
   double longest_move_mm() const;
-  /// Whether nothing moves that one could see: moves below 1e-4 mm a step for 100 steps, and no beat is going on.
+  /// Whether nothing moves that one could see: moves below 1e-4 mm a step for 100 steps, and no beat is going on or due.
   bool at_rest() const;
-  /// Whether the valve is on its way to its unstressed shape, after the last hook was let go.
+  /// Whether the valve is on its way to its unstressed shape.
   bool beats() const;
   /// How often the valve went back because leaflets would have crossed.
   int returns() const;

@@ -159,7 +159,7 @@ TEST(LiveValve, AnotherMeshLetsGoAndBeginsAnew) {
 
 TEST(LiveValve, AConstantPullBalancesTheTissue) {
   for (const double pressure_mmhg : {0.0, kSystole_mmhg}) {
-    const Valve& valve = small_preset("human-normal");
+    const Valve& valve = folded("human-normal");
     LiveValve live(valve, pressure_mmhg);
     settle(live);
     const int vertex = lowest_vertex(live);
