@@ -40,8 +40,8 @@ Points half_closed(const ClosureModel& model) {
 }
 
 /// A preset's model with either membrane.
-std::vector<ClosureModel> models(const std::string& preset) {
-  const Valve& valve = small_preset(preset);
+std::vector<ClosureModel> models(const std::string& preset, int triangles = 200) {
+  const Valve& valve = shared_preset(preset, triangles);
   return {make_closure_model(valve, Membrane::Springs),
           make_closure_model(valve, Membrane::Continuum)};
 }
@@ -96,7 +96,8 @@ TEST(Relaxation, StaysWhereTheThesisMethodCameToRest) {
 }
 
 TEST(Relaxation, ThatIsAtRestHasForcesInBalance) {
-  for (const ClosureModel& model : models("human-normal")) {
+  // Folds that are a few vertices wide, as on smaller meshes, creep for long.
+  for (const ClosureModel& model : models("human-normal", 650)) {
     RelaxationSettings settings;
     settings.residual_tolerance = 2e-7;
     settings.way_tolerance_mm = 1e-5;
