@@ -54,9 +54,9 @@ std::string progress_chart(const SearchResult& result) {
   if (result.progress.empty()) return "";
   const double most = std::max(kShownAtLeast, kShownTimes * result.progress.back().cost);
   const int end = std::max(result.evaluations, result.progress.back().closures);
-  Chart chart{"Cost of the best plan so far",
+  Chart chart{"Score of the best plan so far",
               "closures spent on searching",
-              "cost, mm² (lower is better)",
+              "search score (lower is better)",
               {staircase(result.progress, most, end)},
               true};
   Series random{"random search, expected", {}, {}, true, true};

@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
-#include "core/metrics/area_error.h"
 #include "search/plans/plan_order.h"
 #include "search/random_share.h"
 
 namespace coapt {
 namespace {
 
-constexpr int kResamples = 100;             // of each draw
-constexpr double kErrorsAreNinety = 1.645;  // nine of ten areas lie within their error
-
-/// Of a normal distribution about `leak_mm2`, as wide as the mesh's error.
-double probability_mild(double leak_mm2, int triangles) {
-  const double leak = std::max(0.0, leak_mm2);
-  const double sd = area_error_mm2(leak, {.triangles = triangles}) / kErrorsAreNinety;
-  return 0.5 * std::erfc((leak - kMildLeak_mm2) / (sd * std::numbers::sqrt2));
-}
+constexpr int kResamples = 100;  // of each draw
 
 }  // namespace
 
@@ -34,13 +24,14 @@ Acceptance acceptance_of(const PlanEvaluations& evaluations, const PlanRecord& p
   const int triangles =
       finely ? fine.mesh.triangles : static_cast<int>(evaluations.valve().faces.rows());
   const int draws = model.plans.contains(&plan) ? static_cast<int>(model.before.size()) : 0;
+  const bool by_hand = !plan.plan.steps.empty();
   Acceptance mild = Acceptance::Zero(nodes, std::max(1, draws));
   for (int draw = 0; draw < mild.cols(); ++draw) {
     const DrawnChange change =
         draws > 0 ? change_in_draw(evaluations, plan, model, draw) : DrawnChange{};
     if (!change.trusted) continue;
     for (int node = 0; node < nodes; ++node)
-      if (const PlanClosure& closure = plan.closures.at(node); trusted(closure))
+      if (const PlanClosure& closure = plan.closures.at(by_hand ? node : 0); trusted(closure))
         mild(node, draw) =
             probability_mild(closure.leak_mm2 + fine_change + change.leak_mm2, triangles);
   }

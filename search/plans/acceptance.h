@@ -11,7 +11,8 @@
 namespace coapt {
 
 /// Probability that a plan leaves less than kMildLeak_mm2, over the error of the mesh alone.  [node][draw]: a draw moves the leak of
-/// every node by as much as that of the plan as planned, and so does the finer mesh. 0 where a closure is not to be trusted.
+/// every node by as much as that of the plan as planned, and so does the finer mesh. 0 where a closure is not to be trusted. Where nothing is
+/// done no hand errs: all nodes are the valve as it is.
 using Acceptance = Eigen::ArrayXXd;
 
 /// @param nodes closed ones. @param model without draws: one column

@@ -29,7 +29,7 @@ Eigen::VectorXd ClimbModel::signs(const PlanEvaluations& evaluations,
     if (trusted(closure)) tension = std::max(tension, closure.tension_max_n);
   }
   const double part =
-      std::clamp(evaluations.cost(plan, nodes_) - plan.lowest_cost, 0.0, kMostPart_mm2);
+      std::clamp(evaluations.guide(plan, nodes_) - plan.least_guide, 0.0, kMostPart_mm2);
   Eigen::VectorXd signs(5);
   signs << 1.0, std::sqrt(mean), std::sqrt(worst), tension, std::sqrt(part);
   return signs;
@@ -38,7 +38,7 @@ Eigen::VectorXd ClimbModel::signs(const PlanEvaluations& evaluations,
 void ClimbModel::learn(const PlanEvaluations& evaluations,
                        const std::vector<const PlanRecord*>& plans) {
   std::vector<std::pair<double, const PlanRecord*>> order;
-  for (const PlanRecord* plan : plans) order.emplace_back(evaluations.cost(*plan, goal_), plan);
+  for (const PlanRecord* plan : plans) order.emplace_back(evaluations.guide(*plan, goal_), plan);
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   if (order.size() < kLeastPlans) return;
@@ -51,7 +51,7 @@ void ClimbModel::learn(const PlanEvaluations& evaluations,
   for (Eigen::Index i = 0; i < n; ++i) {
     const PlanRecord& plan = *learnt_[i];
     design.row(i) = signs(evaluations, plan);
-    rise[i] = std::asinh(evaluations.cost(plan, goal_) - evaluations.cost(plan, nodes_));
+    rise[i] = std::asinh(evaluations.guide(plan, goal_) - evaluations.guide(plan, nodes_));
   }
   const Eigen::MatrixXd normal =
       design.transpose() * design + kRidge * Eigen::MatrixXd::Identity(5, 5);
@@ -69,16 +69,16 @@ void ClimbModel::learn(const PlanEvaluations& evaluations,
 
 ClimbModel::Expectation ClimbModel::expected(const PlanEvaluations& evaluations,
                                              const PlanRecord& plan) const {
-  const double cost = evaluations.cost(plan, nodes_);
-  if (learnt_.empty()) return {cost, cost, 0.0, 0.0, plan.lowest_cost};
+  const double cost = evaluations.guide(plan, nodes_);
+  if (learnt_.empty()) return {cost, cost, 0.0, 0.0, plan.least_guide};
   const Eigen::Index n = std::ssize(learnt_);
   Eigen::VectorXd near(n);
   for (Eigen::Index i = 0; i < n; ++i) near[i] = variance_ * kernel(plan, *learnt_[i]);
   const double rise = weight_.dot(signs(evaluations, plan)) + near.dot(missed_);
   const double left = variance_ - kernel_->matrixL().solve(near).squaredNorm();
   const double scatter = std::sqrt(std::max(0.0, left) + kScatter * kScatter);
-  return {std::max(plan.lowest_cost, cost + std::sinh(rise)), cost, rise, scatter,
-          plan.lowest_cost};
+  return {std::max(plan.least_guide, cost + std::sinh(rise)), cost, rise, scatter,
+          plan.least_guide};
 }
 
 double ClimbModel::least(const Expectation& expected, double deviations) {

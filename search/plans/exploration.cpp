@@ -25,13 +25,14 @@ constexpr int kRandomShare = 20;      // one of so many closures is spent on pla
 constexpr int kMostRandom = 100;
 constexpr int kBracketsBefore = 2;  // them, where closures last: they are evidence, and help little
 constexpr int kOfABracket = 1000;   // closures, about as many as it takes
-constexpr int kLadderPlans = 12;    // plans on all rungs
+constexpr int kLadderPlans = 12;    // plans on all rungs, where they take one of
+constexpr int kLadderShare = 4;     // so many closures left, at most
 constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;  // keeps seeds of branches apart
 
 double bound(const ExplorationState& state, const BranchPoint& point) {
   const Branch& branch = *state.branches[point.branch].search.branch;
   const PlanRecord& plan = state.in.evaluations.record(state.in.space.plan(branch, point.at));
-  return is_infeasible(plan) ? kInfeasibleCost : plan.lowest_cost;
+  return is_infeasible(plan) ? kInfeasibleCost : plan.least_guide;
 }
 
 /// Cheapest operation first.
@@ -63,7 +64,8 @@ void promote_best(ExplorationState& state, double most_leak_mm2) {
   const auto best = std::min_element(
       state.trials.begin(), state.trials.end(),
       [](const Trial& a, const Trial& b) { return a.expected.cost < b.expected.cost; });
-  if (best == state.trials.end() || best->rung == kLastRung || evaluations_left(state) < kChosenBy)
+  if (best == state.trials.end() || best->rung == kLastRung ||
+      evaluations_left(state) < promotion_closures(state, best->rung, kLastRung))
     return;
   if (best->record->closures.at(0).leak_mm2 > most_leak_mm2) return;
   promote(state, {static_cast<int>(best - state.trials.begin())}, kLastRung);
@@ -94,7 +96,7 @@ std::vector<int> next_promotions(ExplorationState& state, const std::vector<int>
     if (std::any_of(chosen.begin(), chosen.end(),
                     [&](int c) { return state.trials[c].branch == trial.branch; }))
       continue;
-    closures += kRungs[trial.rung + 1] - kRungs[trial.rung];
+    closures += promotion_closures(state, trial.rung, trial.rung + 1);
     if (closures > evaluations_left(state)) {
       state.budget_short = true;
       break;
@@ -173,7 +175,7 @@ std::vector<Found> refine_branch(ExplorationState& state, int i, int quota) {
                                  const LatticePoint& at) -> std::optional<PointCost> {
     PlanRecord& plan = state.in.evaluations.record(state.in.space.plan(branch, at));
     if (is_infeasible(plan)) return PointCost{kInfeasibleCost, 0, true};
-    if (plan.lowest_cost >= cost_to_beat(state, i)) return PointCost{plan.lowest_cost, 0, true};
+    if (plan.least_guide >= cost_to_beat(state, i)) return PointCost{plan.least_guide, 0, true};
     const bool is_new = !plan.closures.contains(0);
     if (!state.in.evaluations.close_here(plan, 1)) return std::nullopt;
     found.emplace_back(&plan, at);
@@ -250,7 +252,7 @@ void try_at_random(ExplorationState& state, int count) {
 std::vector<int> ladder_candidates(const ExplorationState& state) {
   std::vector<const PlanRecord*> order = state.random_plans;
   std::stable_sort(order.begin(), order.end(), [&](const PlanRecord* a, const PlanRecord* b) {
-    return state.in.evaluations.cost(*a, 1) < state.in.evaluations.cost(*b, 1);
+    return state.in.evaluations.guide(*a, 1) < state.in.evaluations.guide(*b, 1);
   });
   std::vector<int> candidates;
   std::set<const PlanRecord*> seen;
@@ -265,7 +267,9 @@ std::vector<int> ladder_candidates(const ExplorationState& state) {
 void measure_ladder(ExplorationState& state) {
   const std::vector<int> candidates = ladder_candidates(state);
   const int count = static_cast<int>(candidates.size());
-  if (count < kLadderPlans || evaluations_left(state) < kLadderPlans * (kChosenBy - 1)) return;
+  if (count < kLadderPlans || evaluations_left(state) < kLadderShare * kLadderPlans *
+                                                            promotion_closures(state, 0, kLastRung))
+    return;
   std::vector<int> chosen;
   for (int k = 0; k < kLadderPlans; ++k) {
     chosen.push_back(candidates[k * count / kLadderPlans]);
@@ -359,7 +363,7 @@ std::vector<BranchPoint> random_points(const ExplorationState& state, int count)
 std::vector<Progress> random_progress(const ExplorationState& state) {
   std::vector<double> costs;
   for (const PlanRecord* plan : state.random_plans)
-    costs.push_back(state.in.evaluations.cost(*plan, 1));
+    costs.push_back(state.in.evaluations.guide(*plan, 1));
   std::sort(costs.begin(), costs.end());
   const int n = static_cast<int>(costs.size());
   std::vector<Progress> expected;
@@ -379,7 +383,7 @@ std::vector<LadderStep> ladder_of(const ExplorationState& state) {
   const auto costs = [&](const std::vector<const PlanRecord*>& plans, int nodes) {
     std::vector<double> at;
     for (const PlanRecord* plan : plans)
-      at.push_back(nodes == 0 ? plan->lowest_cost : state.in.evaluations.cost(*plan, nodes));
+      at.push_back(nodes == 0 ? plan->least_guide : state.in.evaluations.guide(*plan, nodes));
     return at;
   };
   std::vector<LadderStep> steps = {measure_ladder_step(0, kRungs[0], costs(state.random_plans, 0),

@@ -3,19 +3,27 @@
 #include <algorithm>
 
 #include "core/repair/describe.h"
+#include "search/plans/durability.h"
 #include "search/plans/region_report.h"
 
 namespace coapt {
 namespace {
 
+/// Of so many branches the best plans count at least: what a search climbs by is near the rule that ranks, not the rule.
+constexpr int kFewestEntries = 5;
+
 /// The entry cost is the worst of as many branches' best plans as are to be reported.
 void update_entry_cost(ExplorationState& state) {
-  const int place = state.in.options.plans - 1;
+  const int place = std::max(state.in.options.plans, kFewestEntries) - 1;
   if (std::ssize(state.branches) <= place) return;
   std::vector<double> best;
   for (const BranchState& branch : state.branches) best.push_back(branch.best_scored);
   std::nth_element(best.begin(), best.begin() + place, best.end());
   state.entry_cost = best[place];
+}
+
+bool asks_how_long(const ExplorationState& state) {
+  return state.in.options.evidence && !state.in.options.rank_by_price;
 }
 
 /// Over so many nodes it costs less than all others.
@@ -53,13 +61,18 @@ ExplorationState make_state(const ExplorationInput& input) {
     added.search.branch = &branch;
     // A suture's length is rounded to the lattice: by half a step, of two sutures.
     added.lowest_cost =
-        mildest.lowest_cost - options.weights.movement * options.rules.suture_lattice_mm;
+        mildest.least_guide - input.evaluations.movement_guide() * options.rules.suture_lattice_mm;
   }
   return state;
 }
 
 int evaluations_left(const ExplorationState& state) {
   return state.in.options.evaluations + 1 - state.in.evaluations.closures();
+}
+
+int promotion_closures(const ExplorationState& state, int from_rung, int to_rung) {
+  const int nodes = kRungs[to_rung] - kRungs[from_rung];
+  return to_rung == kLastRung && asks_how_long(state) ? nodes + kDisease.count : nodes;
 }
 
 bool is_over(ExplorationState& state) {
@@ -83,7 +96,7 @@ double cost_to_beat(const ExplorationState& state, int branch) {
 ClimbModel::Expectation expectation(const ExplorationState& state, const PlanRecord& plan,
                                     int rung) {
   if (rung < kLastRung) return state.climb_models[rung].expected(state.in.evaluations, plan);
-  const double cost = state.in.evaluations.cost(plan, kChosenBy);
+  const double cost = state.in.evaluations.guide(plan, kChosenBy);
   return {cost, cost, 0.0, 0.0, cost};
 }
 
@@ -109,7 +122,7 @@ void refit_climb_models(ExplorationState& state) {
 }
 
 void record_trial(ExplorationState& state, PlanRecord& plan, const BranchPoint& point) {
-  const double cost = state.in.evaluations.cost(plan, 1);
+  const double cost = state.in.evaluations.guide(plan, 1);
   const ClimbModel::Expectation expected = expectation(state, plan, 0);
   BranchSearch& search = state.branches[point.branch].search;
   if (!search.costs.contains(point.at)) add_point(search, point.at, {expected.cost, 0, false});
@@ -137,10 +150,10 @@ void try_points(ExplorationState& state, const std::vector<BranchPoint>& points)
   for (const BranchPoint& point : points) {
     BranchSearch& search = state.branches[point.branch].search;
     PlanRecord& plan = state.in.evaluations.record(state.in.space.plan(*search.branch, point.at));
-    if (is_infeasible(plan) || plan.lowest_cost >= cost_to_beat(state, point.branch)) {
+    if (is_infeasible(plan) || plan.least_guide >= cost_to_beat(state, point.branch)) {
       if (!search.costs.contains(point.at))
         add_point(search, point.at,
-                  {is_infeasible(plan) ? kInfeasibleCost : plan.lowest_cost, 0, true});
+                  {is_infeasible(plan) ? kInfeasibleCost : plan.least_guide, 0, true});
       continue;
     }
     if (std::ssize(wanted) >= evaluations_left(state)) {
@@ -167,6 +180,9 @@ void promote(ExplorationState& state, const std::vector<int>& trials, int to_run
   for (const int i : trials) plans.push_back(state.trials[i].record);
   if (!state.in.evaluations.open(plans, PlanEvaluations::Phase::Searching)) return;
   if (!state.in.evaluations.close(wanted, PlanEvaluations::Phase::Searching)) return;
+  if (to_rung == kLastRung && asks_how_long(state) &&
+      !close_disease(state.in.evaluations, plans, PlanEvaluations::Phase::Searching))
+    return;
   for (const int i : trials) {
     Trial& trial = state.trials[i];
     trial.rung = std::max(to_rung, trial.rung);

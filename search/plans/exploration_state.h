@@ -82,6 +82,10 @@ ExplorationState make_state(const ExplorationInput& input);
 
 int evaluations_left(const ExplorationState& state);
 
+/// Closures that promotion from one rung to another takes, at most. At the last rung plans are asked how long they last, too, unless the
+/// search has no evidence or ranks by price.
+int promotion_closures(const ExplorationState& state, int from_rung, int to_rung);
+
 /// Whether to try nothing more; sets state.stop unless it is for want of closures.
 bool is_over(ExplorationState& state);
 

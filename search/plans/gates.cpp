@@ -1,6 +1,7 @@
 #include "search/plans/gates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/repair/limits.h"
@@ -224,6 +225,16 @@ std::vector<Gate> operation_gates(const Operation& operation) {
 bool is_rejected(const std::vector<Gate>& gates) {
   return std::any_of(gates.begin(), gates.end(),
                      [](const Gate& gate) { return gate.severity == GateSeverity::Reject; });
+}
+
+int avoidable_warnings(const std::vector<Gate>& gates) {
+  static constexpr std::array kAvoidable = {
+      "filling",       "systolic_anterior_motion", "ring_stenosis", "opening_area",
+      "mean_gradient", "papillary_movement",       "undersizing",   "ring_width"};
+  return static_cast<int>(std::count_if(gates.begin(), gates.end(), [](const Gate& gate) {
+    return gate.severity == GateSeverity::Warn &&
+           std::find(kAvoidable.begin(), kAvoidable.end(), gate.rule) != kAvoidable.end();
+  }));
 }
 
 std::vector<std::string> warnings_of(const std::vector<Gate>& gates) {

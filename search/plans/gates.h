@@ -35,6 +35,9 @@ std::vector<Gate> operation_gates(const Operation& operation);
 /// Whether a rule rejects: a search does not try such a plan.
 bool is_rejected(const std::vector<Gate>& gates);
 
+/// Warnings that another plan may well do without.
+int avoidable_warnings(const std::vector<Gate>& gates);
+
 /// One line for each gate that warns or rejects.
 std::vector<std::string> warnings_of(const std::vector<Gate>& gates);
 

@@ -1,8 +1,18 @@
 #include "search/plans/plan_closure.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/closed/diagnosis.h"
+#include "core/metrics/area_error.h"
 
 namespace coapt {
+namespace {
+
+constexpr double kErrorsAreNinety = 1.645;  // nine of ten areas lie within their error
+
+}  // namespace
 
 PlanClosure plan_closure(const Evaluation& evaluation) {
   const ValveMeasure& measure = evaluation.measure;
@@ -18,6 +28,12 @@ PlanClosure plan_closure(const Evaluation& evaluation) {
 bool trusted(const PlanClosure& closure) {
   return closure.status == ClosureStatus::Converged && !closure.crossing &&
          std::isfinite(closure.leak_mm2);
+}
+
+double probability_mild(double leak_mm2, int triangles) {
+  const double leak = std::max(0.0, leak_mm2);
+  const double sd = area_error_mm2(leak, {.triangles = triangles}) / kErrorsAreNinety;
+  return 0.5 * std::erfc((leak - kMildLeak_mm2) / (sd * std::numbers::sqrt2));
 }
 
 }  // namespace coapt

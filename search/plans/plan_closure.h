@@ -20,4 +20,8 @@ PlanClosure plan_closure(const Evaluation& evaluation);
 /// Converged, uncrossed, its leak a number.
 bool trusted(const PlanClosure& closure);
 
+/// That a leak measured on so many triangles is less than kMildLeak_mm2: of a normal distribution about it, as wide as the mesh's error
+/// (core/metrics/area_error.h).
+double probability_mild(double leak_mm2, int triangles);
+
 }  // namespace coapt

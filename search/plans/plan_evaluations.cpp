@@ -8,10 +8,14 @@
 
 #include "core/closure/predicted_start.h"
 #include "core/repair/apply_plan.h"
+#include "core/repair/approximation.h"
 #include "core/valve/annulus_frame.h"
 #include "search/parallel.h"
 #include "search/plans/disturbance_frame.h"
+#include "search/plans/durability.h"
 #include "search/plans/gates.h"
+#include "search/plans/guide.h"
+#include "search/plans/ladder.h"
 #include "search/plans/plan_key.h"
 
 namespace coapt {
@@ -88,11 +92,18 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
   if (repaired) {
     made->effort = effort(valve_, *repaired, plan);
     made->place = place_of(*repaired, plan);
-    for (const Gate& gate : operation_gates({plan, valve_, *repaired}))
+    const std::vector<Gate> gates = operation_gates({plan, valve_, *repaired});
+    for (const Gate& gate : gates)
       if (gate.severity == GateSeverity::Reject && made->rejected_by.empty() &&
           !tolerated_.contains(gate.rule))
         made->rejected_by = gate.rule;
+    for (const Side side : {Side::Anterolateral, Side::Posteromedial})
+      made->muscles += suture_of(plan, side) != nullptr ? 1 : 0;
+    made->avoidable_warnings = avoidable_warnings(gates);
     made->lowest_cost = effort_price(made->effort, options_.weights);
+    made->least_guide = options_.guide_by_price
+                            ? made->lowest_cost
+                            : least_guide({made->effort, made->muscles, made->avoidable_warnings});
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   return *records_.try_emplace(key, std::move(made)).first->second;
@@ -330,6 +341,24 @@ CostTerms PlanEvaluations::terms(const PlanRecord& plan, int count) const {
 
 double PlanEvaluations::cost(const PlanRecord& plan, int count) const {
   return price(terms(plan, count), options_.weights);
+}
+
+double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
+  if (options_.guide_by_price) return cost(plan, count);
+  double mild = 0.0;
+  for (const auto& [disturbance, closure] : plan.closures) {
+    if (disturbance >= count) break;
+    if (trusted(closure))
+      mild += probability_mild(closure.leak_mm2, static_cast<int>(valve_.faces.rows())) / count;
+  }
+  CostTerms all = terms(plan, count);
+  if (const std::optional<Durability> lasts = durability(plan); lasts && count >= kChosenBy)
+    all.amounts += durability_terms(*lasts).amounts;
+  return coapt::guide(all, mild, {plan.effort, plan.muscles, plan.avoidable_warnings});
+}
+
+double PlanEvaluations::movement_guide() const {
+  return (options_.guide_by_price ? options_.weights : kGuideWeights).movement;
 }
 
 }  // namespace coapt

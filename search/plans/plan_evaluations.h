@@ -41,9 +41,12 @@ struct PlanRecord {
   bool possible = true;     ///< apply_plan() accepts it; else it has no closures and no effort
   std::string rejected_by;  ///< the first rule of operation_gates() that rejects it; empty: none
   Effort effort;
-  double lowest_cost = 0.0;  ///< effort_price(): a bound from below
-  Eigen::VectorXd place;     ///< where it puts the valve, see place_of()
-  PlanClosures closures;     ///< asked for in this run
+  int muscles = 0;             ///< that its sutures move
+  int avoidable_warnings = 0;  ///< of operation_gates()
+  double lowest_cost = 0.0;    ///< effort_price(): a bound from below
+  double least_guide = 0.0;    ///< likewise of PlanEvaluations::guide()
+  Eigen::VectorXd place;       ///< where it puts the valve, see place_of()
+  PlanClosures closures;       ///< asked for in this run
   std::optional<PlanOpening> opening{};
 };
 
@@ -60,6 +63,7 @@ struct PlanEvaluationOptions {
   /// Told of each closure as it ends, from one thread at a time. What it throws ends close().
   std::function<void(const std::string& key, int disturbance, const PlanClosure&)> keep;
   CostWeights weights;
+  bool guide_by_price = false;
   Opener open{};  ///< empty: open() does nothing
   /// Steps that were decided elsewhere: what rejects them rejects no plan any more.
   RepairPlan fixed{};
@@ -111,6 +115,10 @@ class PlanEvaluations {
   /// Over the first `count` nodes of the region. @pre they are closed, or the plan is impossible.
   CostTerms terms(const PlanRecord& plan, int count) const;
   double cost(const PlanRecord& plan, int count) const;
+  /// What a search climbs by (guide.h); by price, the cost.
+  double guide(const PlanRecord& plan, int count) const;
+  /// By how much a millimetre of papillary movement raises it.
+  double movement_guide() const;
 
   /// The plan as planned, closed again if need be (not counted).
   ClosedPlan closed(const PlanRecord& plan);

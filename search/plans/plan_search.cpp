@@ -23,11 +23,8 @@ PlanEvaluationOptions evaluation_options(const SearchOptions& options,
                                          const SearchContext& context) {
   // What stands in for closures need not have a valve that opens.
   const Opener open = context.open ? context.open : context.evaluate ? Opener{} : Opener{open_plan};
-  return {options.threads,
-          context.known,
-          context.keep,
-          options.weights,
-          options.openings ? open : Opener{},
+  return {options.threads,    context.known,         context.keep,
+          options.weights,    options.rank_by_price, options.openings ? open : Opener{},
           options.rules.fixed};
 }
 

@@ -1,7 +1,6 @@
 #include "search/plans/ranking.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -70,17 +69,6 @@ std::vector<Gate> gates_of(const PlanEvaluations& evaluations, const PlanRecord&
   return gates;
 }
 
-/// Warnings that another plan may well do without.
-int avoidable_warnings(const std::vector<Gate>& gates) {
-  static constexpr std::array kAvoidable = {
-      "filling",       "systolic_anterior_motion", "ring_stenosis", "opening_area",
-      "mean_gradient", "papillary_movement",       "undersizing",   "ring_width"};
-  return static_cast<int>(std::count_if(gates.begin(), gates.end(), [](const Gate& gate) {
-    return gate.severity == GateSeverity::Warn &&
-           std::find(kAvoidable.begin(), kAvoidable.end(), gate.rule) != kAvoidable.end();
-  }));
-}
-
 /// By what is known of it so far. @pre closed as planned
 PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& record, int nodes,
                      const std::vector<Gate>& gates, bool durable, const Acceptance& acceptance) {
@@ -98,8 +86,7 @@ PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& recor
   if (record.opening && trusted(*record.opening))
     merits.gradient_mmhg = record.opening->measure.gradient_mmhg;
   merits.steps = record.effort.steps;
-  merits.muscles = (suture_of(record.plan, Side::Anterolateral) != nullptr ? 1 : 0) +
-                   (suture_of(record.plan, Side::Posteromedial) != nullptr ? 1 : 0);
+  merits.muscles = record.muscles;
   merits.sizes_below = record.effort.sizes_below;
   const LeakStatistics leak = leak_statistics(record, nodes);
   merits.leak_mm2 = nodes > 1 ? leak.mean + leak.sd : leak.nominal;
@@ -202,7 +189,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.gates = gates_of(evaluations, record, *repaired, evaluation);
   plan.warnings = warnings_of(plan.gates);
   if (record.opening && record.opening->behind_clip) plan.warnings.push_back(kUnknownBehindClip);
-  if (plan.region.leak_mm2.worst > kMildLeak_mm2)
+  if (!record.plan.steps.empty() && plan.region.leak_mm2.worst > kMildLeak_mm2)
     plan.warnings.push_back("leaks more than " + shown(kMildLeak_mm2) +
                             " mm2 somewhere in the region of interest");
   if (nodes > 1 && plan.region.failures > 0)

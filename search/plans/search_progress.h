@@ -20,7 +20,7 @@ enum class SearchStop {
   Cancelled
 };
 
-/// The best cost known after so many closures.
+/// The best score (PlanEvaluations::guide()) known after so many closures.
 struct Progress {
   int closures = 0;
   double cost = 0.0;

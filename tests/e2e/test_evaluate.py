@@ -11,7 +11,7 @@ SMALL = ["--region-points", "9", "--no-evidence"]
 
 MENDING = {
     "schema": "coapt.plan/1",
-    "steps": [{"step": "annuloplasty", "shape": "generic-etlogix-like", "size_mm": 40}],
+    "steps": [{"step": "annuloplasty", "shape": "generic-etlogix-like", "size_mm": 30}],
 }
 
 

@@ -137,7 +137,7 @@ class Plan(ProgramTest):
             severity = {gate["rule"]: gate["severity"] for gate in plan["gates"]}
             self.assertIn(severity["opening_area"], ["pass", "warn"])
             self.assertGreater(plan["opening_area_mm2"], 150.0)
-            self.assertGreater(plan["projected_area_mm2"], 150.0)
+            self.assertGreater(plan["projected_area_mm2"], 100.0)
             self.assertGreater(plan["gradient_mmhg"], 0.0)
             self.assertGreaterEqual(plan["gradient_exercise_mmhg"], plan["gradient_mmhg"])
             self.assertEqual(severity["convergence"], "pass")
@@ -148,7 +148,7 @@ class Plan(ProgramTest):
         ahead = [plan["probability_outranks_next"] for plan in result["plans"]]
         self.assertTrue(0.0 <= ahead[0] <= 1.0, ahead)
         self.assertIsNone(ahead[-1])
-        tie = 0.05 <= ahead[0] <= 0.95 or result["plans"][0]["share_of_draws_ahead"] <= 0.95
+        tie = 0.05 <= ahead[0] <= 0.95
         self.assertEqual([plan["tie_with_next"] for plan in result["plans"]], [tie, False])
         self.assertTrue(any(plan["pareto"] for plan in result["plans"]))
         self.assertGreater(len(result["not_modelled"]), 0)

@@ -10,7 +10,7 @@ from coapt import Client, NamedPlan, OwnRing, Plan, Ring
 from programs import SOURCE, ProgramTest, coapt as coapt_command
 
 PLANS = SOURCE / "examples/plans"
-RINGS = [Plan(Ring("generic-classic", 36.0)), Plan(OwnRing(3))]
+RINGS = [Plan(Ring("generic-classic", 32.0)), Plan(OwnRing(4))]
 
 
 class Files(ProgramTest):

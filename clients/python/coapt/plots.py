@@ -187,7 +187,7 @@ def plans(
 
 
 def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
-    """The cost of the best plan so far over closures, and what plans tried at random are expected to reach."""
+    """The search score of the best plan so far over closures, and what plans tried at random are expected to reach."""
     axes, highest = _axes(ax), 0.0
     for name, label, style in (("progress", "search", "-"), ("random_progress", "plans at random, expected", "--")):
         points: Sequence[Mapping[str, Any]] = [one for one in result.json[name] if one["cost"] is not None]
@@ -200,7 +200,7 @@ def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set_ylim(0.0, 1.2 * highest if highest else 1.0)
     axes.set_xlabel("closures")
-    axes.set_ylabel("cost of the best plan so far, mm²")
+    axes.set_ylabel("search score of the best plan so far")
     axes.legend()
     return axes
 

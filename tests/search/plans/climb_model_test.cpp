@@ -29,6 +29,7 @@ struct ClimbScene {
   static PlanEvaluationOptions options_of(const std::vector<MadeUp>& made_up) {
     PlanEvaluationOptions options = on_threads(1);
     options.weights = leak_alone();
+    options.guide_by_price = true;
     for (const MadeUp& one : made_up)
       for (int d = 0; d < 5; ++d)
         options.known[plan_key(one.plan)][d] = closure_leaking(d == 0 ? one.first : one.others);

@@ -56,7 +56,7 @@ TEST(Exploration, ScoredPlansAreThoseClosedAtSeventeenNodes) {
   double least = 1e9;
   for (const PlanRecord* plan : scored) {
     EXPECT_EQ(plan->closures.size(), 17u);
-    least = std::min(least, scene.plans.evaluations.cost(*plan, kChosenBy));
+    least = std::min(least, scene.plans.evaluations.guide(*plan, kChosenBy));
   }
   ASSERT_FALSE(scene.exploration.scored_progress.empty());
   EXPECT_EQ(scene.exploration.scored_progress.back().cost, least);
@@ -90,7 +90,7 @@ TEST(Exploration, RandomSearchIsExpectedToReachTheMeanFirstAndTheLeastLast) {
 }
 
 TEST(Exploration, TheLadderIsMeasuredOnceThereAreClosuresForIt) {
-  ExplorationScene few(needs_suture, options_of(60)), many(needs_suture, options_of(1500));
+  ExplorationScene few(needs_suture, options_of(60)), many(needs_suture, options_of(8000));
   ASSERT_EQ(ladder_of(few.exploration).size(), 3u);
   EXPECT_EQ(ladder_of(few.exploration)[1].plans, 0);
   EXPECT_TRUE(std::isnan(ladder_of(few.exploration)[1].spearman));

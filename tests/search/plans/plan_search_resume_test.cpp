@@ -91,7 +91,7 @@ TEST(ResumedSearch, InterruptedAnywhereItEndsAsIfItHadNotBeen) {
 TEST(ResumedSearch, GivesUpAtTheFirstClosureThatCannotBeKept) {
   SearchOptions options = long_search();
   options.threads = 1;
-  for (const int most : {0, 33, 300}) {  // of a search of 340, before its ranking and in it
+  for (const int most : {0, 33, 280}) {  // of a search of 293, before its ranking and in it
     Keeper keeper;
     keeper.most = most;
     SearchContext context = context_of(needs_suture);

@@ -1,4 +1,4 @@
-// The best cost so far against what trying plans at random is expected to have reached.
+// The best score so far, by which a search climbs (in steps of an operation; in mm² where plans are ranked by price), against what trying plans at random is expected to have reached.
 import type { CostPoint, JobProgress } from '../api/types'
 import { lineChart } from '../charts/line_chart'
 import type { Series } from '../charts/series'
@@ -19,10 +19,10 @@ export function costChart(series: Series[], signal: AbortSignal): CostChart {
   const said = h('p', { class: parts.hint }, costSummary(series))
   const chart = lineChart(
     {
-      title: 'Best cost so far',
+      title: 'Best score so far',
       summary: costSummary(series),
       x: { label: 'closures', log: true }, // the first of them find most
-      y: { label: 'cost, mm²', clip: 3 },
+      y: { label: 'search score', clip: 3 },
       series,
     },
     signal,
@@ -43,7 +43,7 @@ export function isFlat(series: Series[]): boolean {
   return new Set(series.flatMap((one) => one.y)).size < 2
 }
 
-/// "2.60 mm² since 24 closures of 2,000. A random search is expected to have 5.28 mm² after 77."
+/// "Score 2.60 since 24 closures of 2,000. A random search is expected to have 5.28 after 77."
 export function costSummary(series: Series[]): string {
   const [ours, random] = series
   const cost = ours?.y.at(-1)
@@ -52,10 +52,10 @@ export function costSummary(series: Series[]): string {
   const since = ours?.x.find((_, i) => ours.y[i] === cost) ?? closures
   const other = random?.y.at(-1)
   return (
-    `${number(cost, 2)} mm² since ${grouped(since)} closures of ${grouped(closures)}.` +
+    `Score ${number(cost, 2)} since ${grouped(since)} closures of ${grouped(closures)}.` +
     (other === undefined
       ? ''
-      : ` A random search is expected to have ${number(other, 2)} mm² after ${grouped(random?.x.at(-1) ?? 0)}.`)
+      : ` A random search is expected to have ${number(other, 2)} after ${grouped(random?.x.at(-1) ?? 0)}.`)
   )
 }
 

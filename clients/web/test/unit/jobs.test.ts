@@ -75,7 +75,7 @@ test('time left is told no more exactly than it is known', () => {
   ])
 })
 
-test('the best cost is told with when it was found', () => {
+test('the best score is told with when it was found', () => {
   const series = endedSeries(
     [
       { closures: 9, cost: 5 },
@@ -84,7 +84,7 @@ test('the best cost is told with when it was found', () => {
     ],
     [],
   )
-  expect(costSummary(series)).toBe('2.60 mm² since 24 closures of 2,000.')
+  expect(costSummary(series)).toBe('Score 2.60 since 24 closures of 2,000.')
   expect(isFlat(series)).toBe(false)
   expect(
     isFlat(

@@ -1,0 +1,28 @@
+#include "search/plans/guide.h"
+
+#include <algorithm>
+
+#include "search/plans/objective.h"
+#include "search/plans/plan_order.h"
+
+namespace coapt {
+namespace {
+
+constexpr double kMuscle = 0.3, kWarning = 5.0, kUnlikely = 40.0;  // steps
+
+double beside_effort(const OperationMerits& operation) {
+  return kMuscle * operation.muscles + kWarning * operation.avoidable_warnings;
+}
+
+}  // namespace
+
+double least_guide(const OperationMerits& operation) {
+  return effort_price(operation.effort, kGuideWeights) + beside_effort(operation);
+}
+
+double guide(const CostTerms& terms, double mild, const OperationMerits& operation) {
+  return price(terms, kGuideWeights) + beside_effort(operation) +
+         kUnlikely * std::max(0.0, kAcceptable - mild);
+}
+
+}  // namespace coapt
