@@ -166,27 +166,6 @@ void print_plan(std::ostream& out, const Json& plan) {
         << '\n';
 }
 
-/// Which plans cannot be told apart, and why the first is first.
-std::string class_words(const Json& plans) {
-  const Json& first = plans.front();
-  if (!first.contains("class")) return "";  // a result of release 0.2
-  const double mild = number_of(first["acceptable_probability"]);
-  if (!is_varied(first))
-    return "It is not known whether a plan is acceptable: none was closed under errors of the "
-           "hand.";
-  if (!first["closes_robustly"].get<bool>())
-    return "No plan is acceptable: the first one leaks less than 5 mm2 with a probability of " +
-           percent(mild) + ".";
-  const auto alike = std::count_if(plans.begin(), plans.end(), [&](const Json& plan) {
-    return plan["class"] == first["class"];
-  });
-  return (alike > 1 ? "Plans 1 to " + std::to_string(alike) +
-                          " cannot be told apart; plan 1 is the simplest of them. It"
-                    : std::string("Plan 1")) +
-         " leaks less than 5 mm2 with a probability of " + percent(mild) +
-         ", over errors of the hand, tissue and mesh.";
-}
-
 /// What is not among the plans, and why.
 void print_cut(std::ostream& out, const Json& result) {
   for (const Json& cut : result["cut"])
@@ -213,7 +192,8 @@ void print_ranked(std::ostream& out, const Json& result) {
     out << (result["stop"] == "exhausted" ? "No plan: what is indicated is left out, see below.\n"
                                           : "no plan yet\n");
   } else {
-    print_words(out, "", class_words(plans));
+    if (const std::string verdict = result.value("verdict", ""); !verdict.empty())  // from 0.3 on
+      print_words(out, "", verdict);
     out << '\n';
     print_header(out);
   }

@@ -6,6 +6,7 @@
 #include "io/json/search_options_json.h"
 #include "io/json/version.h"
 #include "search/plans/disturbance.h"
+#include "search/plans/verdict.h"
 
 namespace coapt {
 namespace {
@@ -232,6 +233,7 @@ Json to_json(const SearchResult& result) {
       {{"before", before_json(result)},
        {"diagnosis", to_json(result.diagnosis)},
        {"any_competent", result.any_acceptable},
+       {"verdict", verdict_of(result.plans)},
        {"plans",
         list_of(result.plans,
                 [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},

@@ -33,6 +33,7 @@ inline constexpr CostWeights kGuideWeights = {
 struct OperationMerits {
   Effort effort;
   int muscles = 0;             ///< that a suture moves
+  int free_anchors = 0;        ///< of sutures
   int avoidable_warnings = 0;  ///< of operation_gates()
 };
 

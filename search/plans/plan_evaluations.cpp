@@ -98,12 +98,16 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
           !tolerated_.contains(gate.rule))
         made->rejected_by = gate.rule;
     for (const Side side : {Side::Anterolateral, Side::Posteromedial})
-      made->muscles += suture_of(plan, side) != nullptr ? 1 : 0;
+      if (const PapillaryApproximation* const suture = suture_of(plan, side)) {
+        ++made->muscles;
+        made->free_anchors += suture->anchor == Anchor::AnnulusPoint;
+      }
     made->avoidable_warnings = avoidable_warnings(gates);
     made->lowest_cost = effort_price(made->effort, options_.weights);
     made->least_guide = options_.guide_by_price
                             ? made->lowest_cost
-                            : least_guide({made->effort, made->muscles, made->avoidable_warnings});
+                            : least_guide({made->effort, made->muscles, made->free_anchors,
+                                           made->avoidable_warnings});
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   return *records_.try_emplace(key, std::move(made)).first->second;
@@ -354,7 +358,8 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
   CostTerms all = terms(plan, count);
   if (const std::optional<Durability> lasts = durability(plan); lasts && count >= kChosenBy)
     all.amounts += durability_terms(*lasts).amounts;
-  return coapt::guide(all, mild, {plan.effort, plan.muscles, plan.avoidable_warnings});
+  return coapt::guide(all, mild,
+                      {plan.effort, plan.muscles, plan.free_anchors, plan.avoidable_warnings});
 }
 
 double PlanEvaluations::movement_guide() const {

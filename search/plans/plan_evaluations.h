@@ -42,6 +42,7 @@ struct PlanRecord {
   std::string rejected_by;  ///< the first rule of operation_gates() that rejects it; empty: none
   Effort effort;
   int muscles = 0;             ///< that its sutures move
+  int free_anchors = 0;        ///< of its sutures: not at the trigone or the saddle peak
   int avoidable_warnings = 0;  ///< of operation_gates()
   double lowest_cost = 0.0;    ///< effort_price(): a bound from below
   double least_guide = 0.0;    ///< likewise of PlanEvaluations::guide()

@@ -20,8 +20,8 @@ int tier(const PlanMerits& plan) {
 }
 
 bool is_simpler(const PlanMerits& a, const PlanMerits& b) {
-  return std::tie(a.steps, a.muscles, a.sizes_below, a.leak_mm2) <
-         std::tie(b.steps, b.muscles, b.sizes_below, b.leak_mm2);
+  return std::tie(a.steps, a.muscles, a.free_anchors, a.sizes_below, a.leak_mm2) <
+         std::tie(b.steps, b.muscles, b.free_anchors, b.sizes_below, b.leak_mm2);
 }
 
 /// Takes the best class from `left` (acceptable plans of one tier), the simplest first.

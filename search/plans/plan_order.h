@@ -23,6 +23,7 @@ struct PlanMerits {
       std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known, of all plans or of none
   double gradient_mmhg = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
   int steps = 0, muscles = 0;                                       ///< muscles: sutured ones
+  int free_anchors = 0;  ///< of sutures: no landmark to find
   double sizes_below = 0.0;
   double leak_mm2 = 0.0;  ///< mean + sd over the region
   double cost = 0.0;
@@ -42,7 +43,8 @@ struct PlanPlace {
   int of_class = 1;  ///< from 1: plans of one class cannot be told apart
 };
 
-/// All plans, best first; the first of a class is its simplest member: fewest steps, fewest muscles, least undersizing, least leak.
+/// All plans, best first; the first of a class is its simplest member: fewest steps, fewest muscles, fewest free anchors,
+/// least undersizing, least leak.
 /// What is not acceptable is a class of its own, by how likely it is to be, then by cost.
 /// @param by_price by cost instead within what is acceptable and what is not, each plan a class of its own
 std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price = false);

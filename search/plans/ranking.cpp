@@ -87,6 +87,7 @@ PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& recor
     merits.gradient_mmhg = record.opening->measure.gradient_mmhg;
   merits.steps = record.effort.steps;
   merits.muscles = record.muscles;
+  merits.free_anchors = record.free_anchors;
   merits.sizes_below = record.effort.sizes_below;
   const LeakStatistics leak = leak_statistics(record, nodes);
   merits.leak_mm2 = nodes > 1 ? leak.mean + leak.sd : leak.nominal;

@@ -15,7 +15,7 @@ def diagnosis_of(valve, *arguments):
 def first_plan(valve, *arguments):
     result = coapt(
         *("plan", valve, "--evaluations", "120", "--plans", "2", "--region-points", "17", "--no-evidence"),
-        *("--model-draws", "2", "--json", *arguments),
+        *("--model-draws", "8", "--json", *arguments),
     )
     return json.loads(result.stdout), result.returncode
 

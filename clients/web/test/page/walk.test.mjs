@@ -42,7 +42,7 @@ test('the valve fills the stage at every size, and its leak is the largest text'
     const canvas = await page.locator('[data-part=viewer] canvas').first().boundingBox()
     const seen = Math.min(canvas.y + canvas.height, height) - canvas.y
     assert.ok((canvas.width * seen) / (width * height) > least, `${width}: ${canvas.width} x ${seen}`)
-    assert.match(await headline(), /^53 ± \d mm²/)
+    assert.match(await headline(), /^58 ± \d mm²/)
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0)
   }
   await resize(1440, 900, page)
@@ -59,7 +59,7 @@ test('a repair is tried and kept', async () => {
   await view('Repair')
   await page.getByRole('button', { name: 'Ring' }).click()
   await answered()
-  assert.match(await headline(), /^53 → [\d.]+ ± [\d.]+ mm²/)
+  assert.match(await headline(), /^58 → [\d.]+ ± [\d.]+ mm²/)
   await panelIsWhole()
   await page.getByRole('button', { name: 'Keep this repair' }).click()
   await page.getByRole('textbox', { name: 'Name of plan 1' }).waitFor()

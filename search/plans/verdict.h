@@ -1,0 +1,16 @@
+// What the ranking comes to, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "search/plans/search_result.h"
+
+namespace coapt {
+
+/// Whether the first plan is acceptable, which plans cannot be told apart from it, and which anchors they have: "Plans 1 to 3 cannot be told
+/// apart; plan 1 is the simplest of them. It leaks less than 5 mm2 with a probability of 97 %, over errors of the hand, tissue and mesh."
+/// @param plans as ranked. @return empty without plans
+std::string verdict_of(const std::vector<RankedPlan>& plans);
+
+}  // namespace coapt
