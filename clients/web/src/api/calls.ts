@@ -1,6 +1,7 @@
 // What the page asks of the service.
 import { getJson, postJson, request } from './http'
 import type {
+  Closure,
   Evaluations,
   Farm,
   FileLookedAt,
@@ -22,6 +23,11 @@ import type {
 /// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
 export function drawScene(valve: string, plan: Plan | null, frames: number, signal?: AbortSignal): Promise<Scene> {
   return postJson('/v1/scenes', { valve, frames, ...(plan ? { plan } : {}) }, signal)
+}
+
+/// What is measured of it alone.
+export function close(valve: string, plan: Plan | null, signal?: AbortSignal): Promise<Closure> {
+  return postJson('/v1/closures', { valve, ...(plan ? { plan } : {}) }, signal)
 }
 
 /// The same valve in diastole. `frames`: states of the opening, at most.

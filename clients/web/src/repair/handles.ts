@@ -1,8 +1,9 @@
 // What of a plan can be grabbed on the repaired valve: both ends of a suture, where a neochorda inserts, the ring. Without
 // drawing.
 import type { LeafletPoint, Plan, Rings, Scene, Step, Vector } from '../api/types'
-import { annulusPoint, at, closedNodes, distance, minus, onFace, unit } from '../viewer/geometry'
+import { at, closedNodes, distance, minus, onFace, unit } from '../viewer/geometry'
 import type { Drag, Handle } from '../viewer/handles'
+import { aroundOf } from './errors'
 import { type Approximation, anchorPoint, placeWords, reachable, sutureRange, within, type Anatomy } from './steps'
 
 type Ring = Extract<Step, { step: 'annuloplasty' }>
@@ -141,11 +142,4 @@ function insertion(scene: Scene, index: number): Vector | null {
   const end = scene.chordae.filter(({ kind }) => kind === 'neochorda')[index]?.segments.at(-1)
   if (end?.face === undefined) return null
   return onFace(scene, closedNodes(scene), end.face, end.weights ?? [1, 0, 0])
-}
-
-/// The place around the annulus that is nearest to a point.
-function aroundOf(scene: Scene, point: Vector): number {
-  const places = Array.from({ length: 180 }, (_, i) => i / 180)
-  const away = (around: number): number => distance(annulusPoint(scene, around), point)
-  return places.reduce((best, place) => (away(place) < away(best) ? place : best))
 }

@@ -19,6 +19,7 @@ import { handlesOf } from './handles'
 import { KeptPlans } from './kept_plans'
 import { Picking } from './picking'
 import { PlanEditor } from './plan_editor'
+import { TolerancePanel } from './tolerance_panel'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
 import valveStyle from '../valve/valve.module.css'
@@ -44,6 +45,7 @@ export class RepairView implements View {
   private readonly picking = new Picking((kinds) =>
     kinds.includes('chorda') ? [this.before] : [this.before, this.after],
   )
+  private readonly tolerance: TolerancePanel
   private readonly save: FileSaver
   private ringed = false // the valve on the right has a ring
   private readonly afterTitle = h('figcaption', {})
@@ -55,6 +57,8 @@ export class RepairView implements View {
     this.save = closureSaver(workspace, true, this.problems)
     this.editor = new PlanEditor(workspace, (request) => this.picking.ask(request, workspace.plan))
     this.kept = new KeptPlans(workspace)
+    this.tolerance = new TolerancePanel(workspace, this.after, () => this.editor.rings)
+    this.after.handles.onGrab = (key) => this.tolerance.grab(key)
     this.before.stage.pair(this.after.stage)
     this.before.inset = this.insets.before
     this.after.inset = this.insets.after
@@ -90,9 +94,17 @@ export class RepairView implements View {
         ),
         this.legend,
       ),
-      h('div', { class: parts.side }, this.editor.element, this.measures, this.kept.element, this.looks.element),
+      h(
+        'div',
+        { class: parts.side },
+        this.editor.element,
+        this.tolerance.element,
+        this.measures,
+        this.kept.element,
+        this.looks.element,
+      ),
     )
-    this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.picking.end())
+    this.element.addEventListener('keydown', (event) => event.key === 'Escape' && this.escape())
     workspace.subscribe(() => this.take())
   }
 
@@ -101,6 +113,12 @@ export class RepairView implements View {
   }
   hide(): void {
     this.picking.end()
+    this.tolerance.end()
+  }
+
+  private escape(): void {
+    if (this.picking.isAsking) this.picking.end()
+    else this.tolerance.end()
   }
 
   private take(): void {
@@ -136,6 +154,7 @@ export class RepairView implements View {
     )
     this.draw()
     this.after.handles.set(this.grips())
+    this.tolerance.follow()
   }
 
   /// Of the repair that is shown; none while there is none.

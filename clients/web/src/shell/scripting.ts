@@ -1,5 +1,6 @@
 // window.coapt: what scripts and tests are offered. state() says what the page shows; live pulls at the valve of the Live view.
 import type { Plan } from '../api/types'
+import { readings, type ToleranceWords } from '../state/readings'
 import type { Workspace } from '../workspace'
 import { theme } from './theme'
 import type { ViewName } from './views'
@@ -13,6 +14,7 @@ export interface PageState {
   problems: string[] // of the valve or the plan
   kept: string[] // names of plans
   jobs: Workspace['jobs'] // that are looked at
+  tolerance: ToleranceWords | null // of the handle that is grabbed in Repair
   theme: 'light' | 'dark'
   isAway: boolean // the service does not answer
 }
@@ -33,6 +35,7 @@ export function pageState(workspace: Workspace, view: ViewName): PageState {
     problems: problems.map(({ message }) => message),
     kept: kept.map(({ name }) => name),
     jobs: { ...jobs },
+    tolerance: readings.tolerance,
     theme: theme(),
     isAway: document.documentElement.hasAttribute('data-away'),
   }

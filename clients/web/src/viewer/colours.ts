@@ -41,7 +41,7 @@ const TISSUE: Rgb = rgb('#cdb7b0')
 export const RISING = ['#2c1160', '#711f81', '#b63679', '#ee605e', '#fdae78', '#fcfdbf'].map(rgb) // after matplotlib's magma
 /// Of chordae, thin lines over tissue and both grounds: each stop has a contrast of 2.9 or more against light and dark.
 export const PULLED = ['#6f7b89', '#a8842c', '#d9660f', '#d02c16'].map(rgb)
-const BALANCED = ['#2166ac', '#92c5de', '#f0eee8', '#f4a582', '#b2182b'].map(rgb) // after ColorBrewer's RdBu
+export const BALANCED = ['#2166ac', '#92c5de', '#f0eee8', '#f4a582', '#b2182b'].map(rgb) // after ColorBrewer's RdBu
 
 export interface Scale {
   title: string

@@ -35,6 +35,7 @@ const HALF_PX = 12 // of a handle
 const LEAST_PX = 3 // a millimetre counts at least so much, if it is seen from its end
 
 export class Handles<Value> {
+  onGrab: (key: string) => void = () => {} // also by the keyboard
   readonly element = h('div', { class: viewerStyle.handles, 'data-part': 'handles' })
   private readonly told = new Readout('dragged')
   private grips: Grip<Value>[] = []
@@ -77,6 +78,11 @@ export class Handles<Value> {
     this.place()
   }
 
+  /// The first that begins so; empty if none does.
+  keyOf(start: string): string {
+    return this.grips.find(({ handle }) => handle.key.startsWith(start))?.handle.key ?? ''
+  }
+
   boxes(): Box[] {
     return this.grips.map(({ handle }) => {
       const { x, y } = this.stage.place(handle.at_mm)
@@ -93,6 +99,7 @@ export class Handles<Value> {
       onpointermove: (event: PointerEvent) => this.drag(event),
       onpointerup: () => this.drop(),
       onpointercancel: () => this.letGo(),
+      onfocus: () => this.onGrab(key),
       onkeydown: (event: KeyboardEvent) => this.step(key, event),
       onkeyup: () => this.stepped(key),
       onblur: () => this.stepped(key),

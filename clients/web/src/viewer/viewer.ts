@@ -17,6 +17,7 @@ import {
   times,
   unit,
 } from './geometry'
+import { Bubble, type BubbleSurface } from './bubble'
 import { Handles } from './handles'
 import { around, type Box, boxesOver } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
@@ -79,6 +80,7 @@ export class Viewer {
   private readonly readout = new Readout('readout')
   private pointed = 0 // the frame in which the readout follows the pointer
   private readonly ring = new Ring()
+  private readonly around = new Bubble() // a handle
   private readonly lines = {
     chordae: new Lines({ width: 1.6 }),
     ruptured: new Lines({ width: 1.6, colour: TINTS.ruptured, dashed: true }),
@@ -109,7 +111,12 @@ export class Viewer {
       this.handles.element,
       this.readout.element,
     )
-    this.stage.add(this.ring.mesh, this.leak.group, ...Object.values(this.lines).map((line) => line.object))
+    this.stage.add(
+      this.ring.mesh,
+      this.around.mesh,
+      this.leak.group,
+      ...Object.values(this.lines).map((line) => line.object),
+    )
     this.stage.controls.addEventListener('change', () => this.look && this.show(this.look))
     this.stage.canvas.addEventListener('pointerdown', ({ clientX, clientY }) => (this.pressed = [clientX, clientY]))
     this.stage.canvas.addEventListener('click', (event) => this.click(event))
@@ -208,6 +215,12 @@ export class Viewer {
   mark(labels: Label[]): void {
     this.extra = labels
     if (this.look) this.show(this.look)
+  }
+
+  /// Around the handle that is grabbed; null: none is.
+  bubble(surface: BubbleSurface | null): void {
+    this.around.set(surface)
+    this.stage.draw()
   }
 
   private isInSight({ point_mm }: Label): boolean {
