@@ -14,9 +14,10 @@ import { commandPalette } from './shell/palette'
 import { followSystem } from './shell/theme'
 import { offer, pageState } from './shell/scripting'
 import { shortcuts } from './shell/shortcuts'
-import { VIEWS, type ViewName } from './shell/views'
+import { type ViewName, viewTitle } from './shell/views'
 import { router } from './state/router'
 import { onOtherTab } from './state/tabs'
+import { firstVisit } from './story/offer'
 import type { View } from './view'
 import { Workspace, problemsOf } from './workspace'
 import parts from './style/parts.module.css'
@@ -46,6 +47,7 @@ const views = new Map<ViewName, Promise<View>>()
 const main = h('main', { id: 'main', tabindex: -1 })
 let shown: View | null = null
 let asked: ViewName = 'valve'
+let strip: { element: HTMLElement; follow(): void } | null = null // once a story is told
 
 async function show(name: ViewName): Promise<void> {
   asked = name
@@ -64,7 +66,8 @@ async function show(name: ViewName): Promise<void> {
   view.show()
   bar.mark(name)
   bar.lead(route.addressOf)
-  document.title = `coapt: ${VIEWS.find(([view]) => view === name)?.[1] ?? ''}`
+  document.title = `coapt: ${viewTitle(name)}`
+  strip?.follow()
 }
 
 /// In the place of a view that cannot be shown: its file did not come, or the browser draws nothing in three dimensions.
@@ -75,11 +78,26 @@ function said(error: unknown): View {
   return { element, show: () => {}, hide: () => {} }
 }
 
+/// A story is loaded when the first one is told.
+async function tellStory(): Promise<void> {
+  if (!workspace.story || aboveViews.dataset.asked) return
+  aboveViews.dataset.asked = 'true'
+  const { storyStrip } = await import('./story/strip')
+  strip = storyStrip(workspace, () => ({ name: asked, view: shown }))
+  aboveViews.append(strip.element)
+  strip.follow()
+}
+
 function skip(event: Event): void {
   event.preventDefault()
   main.focus()
 }
 
+const aboveViews = h(
+  'div',
+  {},
+  location.hash.length < 2 || /^#\/?valve$/.test(location.hash) ? firstVisit(workspace) : null,
+)
 const palette = commandPalette(workspace)
 const bar = header(workspace, palette.open)
 const above = notices(() => void again())
@@ -103,6 +121,7 @@ app.append(
   h('a', { href: '#main', class: shellStyle.skip, onclick: skip }, 'Skip to content'),
   bar.element,
   above.element,
+  aboveViews,
   main,
   footer(),
 )
@@ -110,6 +129,7 @@ onTokenNeeded(askForToken)
 offer({ state: () => pageState(workspace, asked) })
 shortcuts(workspace, palette.open)
 workspace.subscribe(() => bar.lead(route.addressOf))
+workspace.subscribe(() => void tellStory())
 onOtherTab('kept plans', () => void workspace.loadKept())
 workspace.loadKept().catch(() => {})
 if (HAS_SERVICE) {

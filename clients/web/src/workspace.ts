@@ -2,6 +2,7 @@
 import { drawScene } from './api/calls'
 import { ApiError } from './api/http'
 import type { Job, Plan, Problem, Scene, Step } from './api/types'
+import type { StoryPlace } from './state/address'
 import { shelf as keptPlans, type KeptPlan, type Shelf } from './state/kept_plans'
 import { tellTabs } from './state/tabs'
 import { nameOfValve } from './state/valves'
@@ -21,6 +22,7 @@ export class Workspace {
   after: Scene | null = null // of closedPlan; null if that has no steps or cannot be closed
   kept: KeptPlan[] = [] // newest last
   jobs: Record<Job['kind'], string | null> = { plans: null, study: null, import: null } // that are looked at
+  story: StoryPlace | null = null // that is told
   answer_ms: number | null = null // from letting go to the answer, of the last closure
   problems: Problem[] = [] // what is said against the valve or closedPlan
 
@@ -105,6 +107,13 @@ export class Workspace {
   lookAt(kind: Job['kind'], job: string | null): void {
     if (this.jobs[kind] === job) return
     this.jobs[kind] = job
+    this.changed()
+  }
+
+  /// A slide of a story; null: none any more.
+  tell(story: StoryPlace | null): void {
+    if (JSON.stringify(story) === JSON.stringify(this.story)) return
+    this.story = story
     this.changed()
   }
 

@@ -95,6 +95,14 @@ export class LiveCanvas {
     const vertex = this.drawing.valve ? edgeOf(this.drawing.valve.scene, segment) : -1
     if (hook >= 0 && vertex >= 0) this.hooks.grabWithFocus(hook, vertex)
   }
+  /// The same, lifted towards the atrium; the focus stays where it is.
+  pullEdge(segment: string, lift_mm: number): void {
+    const vertex = this.drawing.valve ? edgeOf(this.drawing.valve.scene, segment) : -1
+    if (vertex < 0) return
+    this.grabVertex(0, vertex)
+    this.hooks.lift(lift_mm)
+    this.hooks.place()
+  }
   grabVertex(hook: number, vertex: number): void {
     this.hooks.grab(hook, { vertex, at_mm: at(this.drawing.nodes, vertex) })
   }

@@ -13,6 +13,7 @@ import { DistanceTool } from '../valve/distance'
 import { headline } from '../valve/headline'
 import { viewButtons } from '../valve/looks'
 import type { View } from '../view'
+import { dot, minus } from '../viewer/geometry'
 import { namesAround } from '../viewer/marks'
 import { problemsOf, type Workspace } from '../workspace'
 import { LiveCanvas } from './canvas'
@@ -23,6 +24,8 @@ import { liveLegend } from './legend'
 import { liveScripts } from './scripting'
 import { stateWords } from './state_words'
 import { offer } from '../shell/scripting'
+import { tellReadings } from '../state/readings'
+import type { Slide } from '../story/types'
 import parts from '../style/parts.module.css'
 import repairStyle from '../repair/repair.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
@@ -54,6 +57,7 @@ export class LiveView implements View {
   private moving: { reference: string; text: string } | null = null // the valve that moves, and its document
   private asked: { reference: string; plan: Plan } | null = null // last
   private isAsking = false
+  private slide: Slide | null = null // of a story, until the valve is at rest and is pulled
 
   constructor(private readonly workspace: Workspace) {
     this.editor = new PlanEditor(workspace, (request) => this.picking.ask(request, workspace.plan))
@@ -114,6 +118,31 @@ export class LiveView implements View {
   hide(): void {
     this.canvas.hide()
     this.picking.end()
+    tellReadings({ force_n: null, height_mm: null })
+  }
+
+  perform(slide: Slide): void {
+    this.slide = slide
+    this.canvas.hooks.releaseAll()
+    tellReadings({ force_n: null, height_mm: null })
+    if (!this.isAsking) this.prepare()
+  }
+
+  /// The valve of the slide moves.
+  private prepare(): void {
+    if (!this.slide || !this.valve) return
+    const { camera, pull } = this.slide
+    if (camera) this.canvas.view(camera)
+    if (pull) this.pressure.set(pull.pressure_mmhg ?? Math.round(this.valve.systole_mmhg))
+  }
+
+  /// From where it has closed: an edge that is caught on the way would be held down.
+  private pull({ at_rest, beats, pressure_mmhg }: Picture): void {
+    const pull = this.slide?.pull
+    const asked_mmhg = pull?.pressure_mmhg ?? Math.round(this.valve?.systole_mmhg ?? 0)
+    if (!pull || !at_rest || beats || Math.abs(pressure_mmhg - asked_mmhg) > 1) return
+    this.slide = null
+    this.canvas.pullEdge(pull.segment, pull.lift_mm)
   }
 
   private take(): void {
@@ -133,6 +162,7 @@ export class LiveView implements View {
     this.isAsking = true
     while (this.isBehind()) await this.askPresent()
     this.isAsking = false
+    this.prepare()
   }
 
   private isBehind(): boolean {
@@ -172,9 +202,24 @@ export class LiveView implements View {
       this.hooks.tell(picture, this.valve)
       this.echo.tell(scene, picture.nodes, cutPoint(scene, this.canvas.look.cut ?? 0), picture.at_rest)
     }
+    if (this.workspace.story) {
+      this.pull(picture)
+      this.read(picture)
+    }
     this.distance.update()
     const words = stateWords(picture)
     if (words !== this.state.textContent) this.state.textContent = words
+  }
+
+  /// At rest, to the digits that are shown.
+  private read({ hooks: [held], at_rest }: Picture): void {
+    const { plane } = this.valve?.scene ?? {}
+    const rounded = (value: number, digits: number): number => Number(value.toFixed(digits))
+    if (held && !at_rest) return
+    tellReadings({
+      force_n: held ? rounded(held.force_n, 2) : null,
+      height_mm: held && plane ? rounded(dot(minus(held.spot_mm, plane.origin_mm), plane.normal), 1) : null,
+    })
   }
 
   private async keep(): Promise<void> {

@@ -6,6 +6,7 @@ import type { Figure } from '../picture/figure'
 import { figureLines, pictureSaver } from '../picture/saver'
 import { labelledButton } from '../icons'
 import { problemList } from '../problems'
+import type { Slide } from '../story/types'
 import type { View } from '../view'
 import { Looks } from '../valve/looks'
 import { headline } from '../valve/headline'
@@ -118,6 +119,13 @@ export class RepairView implements View {
 
   private escape(): void {
     if (this.picking.isAsking) this.picking.end()
+    else this.tolerance.end()
+  }
+
+  perform({ camera, vary, ...shown }: Slide): void {
+    this.looks.ask(shown)
+    if (camera) this.before.view(camera)
+    if (vary !== undefined) this.tolerance.grab(this.after.handles.keyOf(`${vary - 1} `))
     else this.tolerance.end()
   }
 

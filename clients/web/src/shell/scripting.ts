@@ -1,5 +1,6 @@
 // window.coapt: what scripts and tests are offered. state() says what the page shows; live pulls at the valve of the Live view.
 import type { Plan } from '../api/types'
+import type { StoryPlace } from '../state/address'
 import { readings, type ToleranceWords } from '../state/readings'
 import type { Workspace } from '../workspace'
 import { theme } from './theme'
@@ -14,13 +15,14 @@ export interface PageState {
   problems: string[] // of the valve or the plan
   kept: string[] // names of plans
   jobs: Workspace['jobs'] // that are looked at
+  story: StoryPlace | null
   tolerance: ToleranceWords | null // of the handle that is grabbed in Repair
   theme: 'light' | 'dark'
   isAway: boolean // the service does not answer
 }
 
 export function pageState(workspace: Workspace, view: ViewName): PageState {
-  const { valve, plan, isAnswered, before, after, problems, kept, jobs } = workspace
+  const { valve, plan, isAnswered, before, after, problems, kept, jobs, story } = workspace
   const last = after ?? before
   return {
     view,
@@ -35,6 +37,7 @@ export function pageState(workspace: Workspace, view: ViewName): PageState {
     problems: problems.map(({ message }) => message),
     kept: kept.map(({ name }) => name),
     jobs: { ...jobs },
+    story: story && { ...story },
     tolerance: readings.tolerance,
     theme: theme(),
     isAway: document.documentElement.hasAttribute('data-away'),

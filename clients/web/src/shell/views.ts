@@ -12,3 +12,7 @@ export type ViewName = (typeof VIEWS)[number][0]
 
 /// Those that bar and palette leave out: what they need is not there.
 export const withheld = new Set<ViewName>(['farm'])
+
+export function viewTitle(view: ViewName): string {
+  return VIEWS.find(([name]) => name === view)?.[1] ?? ''
+}

@@ -28,7 +28,13 @@ export function router(workspace: Workspace, page: Routed): Router {
 
   function present(of: ViewName): Omit<Address, 'faults'> {
     const job = of === 'search' ? workspace.jobs.plans : of === 'studies' ? workspace.jobs.study : null
-    return { view: of, valve: workspace.valve?.reference ?? null, steps: workspace.plan.steps, job }
+    return {
+      view: of,
+      valve: workspace.valve?.reference ?? null,
+      steps: workspace.plan.steps,
+      job,
+      story: workspace.story,
+    }
   }
 
   /// Another valve, view or job is a new entry of the history; a changed plan takes the place of the one before.
@@ -52,6 +58,7 @@ export function router(workspace: Workspace, page: Routed): Router {
     ++applying
     page.fail(asked.faults)
     if (asked.view) view = asked.view
+    if (asked.story || asked.valve !== null) workspace.tell(asked.story) // an address of a view alone leaves a story as it is
     if (asked.job !== null) workspace.lookAt(view === 'studies' ? 'study' : 'plans', asked.job)
     const showing = page.show(view)
     await openAsked(asked.valve ?? workspace.valve?.reference ?? FIRST_VALVE, asked)

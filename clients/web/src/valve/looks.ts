@@ -34,7 +34,7 @@ export class Looks {
   readonly views: HTMLElement
   onChange: () => void = () => {}
   onView: (view: ViewName) => void = () => {}
-  private mode: ColourMode = 'leaflets'
+  private readonly colours: HTMLSelectElement
   private readonly names = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
   private readonly hours = h('input', { type: 'checkbox', onchange: () => this.onChange() })
   private readonly leak = h('input', { type: 'checkbox', checked: true, onchange: () => this.onChange() })
@@ -46,15 +46,12 @@ export class Looks {
 
   constructor(withMotion: boolean) {
     this.motion = withMotion ? new Motion() : null
-    const mode = select(COLOUR_MODES, 'leaflets', (value) => {
-      this.mode = value as ColourMode
-      this.onChange()
-    })
+    this.colours = select(COLOUR_MODES, 'leaflets', () => this.onChange())
     this.element = h(
       'fieldset',
       { class: `${parts.panel} ${valveStyle.looks}`, 'data-part': 'looks' },
       h('legend', {}, 'Show'),
-      field('Colours', mode),
+      field('Colours', this.colours),
       this.range.element,
       field('Names', this.names),
       field('Clock', this.hours),
@@ -71,18 +68,26 @@ export class Looks {
 
   /// For these scenes, which share one scale of colours.
   look(scenes: Scene[]): Look {
+    const mode = this.colours.value as ColourMode
     const cut = this.cutting.checked ? Number(this.cut.value) : null
     this.tellCut(scenes, cut)
     this.motion?.tell()
     return {
-      mode: this.mode,
-      scale: this.range.scale(this.mode, scenes),
+      mode,
+      scale: this.range.scale(mode, scenes),
       share: this.motion?.share ?? 1,
       leak: this.leak.checked,
       names: this.names.checked,
       hours: this.hours.checked,
       cut,
     }
+  }
+
+  /// What somebody else than the controls asks for.
+  ask({ colours = 'leaflets', cut = false }: { colours?: ColourMode; cut?: boolean }): void {
+    this.colours.value = colours
+    this.cutting.checked = cut
+    this.onChange()
   }
 
   private cutMoved(): void {

@@ -5,6 +5,8 @@ import { closureSaver } from '../files'
 import { HAS_SERVICE } from '../mode'
 import type { Figure } from '../picture/figure'
 import { figureLines, pictureSaver } from '../picture/saver'
+import { storyList } from '../story/offer'
+import type { Slide } from '../story/types'
 import type { View } from '../view'
 import { kindsOn, legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
@@ -70,6 +72,7 @@ export class ValveView implements View {
         opening.element,
         h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.diastole.element, this.measures),
         this.looks.element,
+        storyList(),
         HAS_SERVICE && heartsPanel(workspace), // last: its table is long
       ),
     )
@@ -81,6 +84,11 @@ export class ValveView implements View {
     this.take()
   }
   hide(): void {}
+
+  perform({ camera, ...shown }: Slide): void {
+    this.looks.ask(shown)
+    if (camera) this.viewer.view(camera)
+  }
 
   /// While files are imported they stand where the valve does else.
   private stepAside(isAside: boolean): void {

@@ -5,16 +5,22 @@ import { readAddress, writeAddress } from '../../src/state/address'
 const steps: Step[] = [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }]
 
 test('what is written into an address is read from it', () => {
-  const shown = { view: 'repair', valve: 'größe?&#', steps, job: 'a/b' } as const
+  const shown = {
+    view: 'repair',
+    valve: 'größe?&#',
+    steps,
+    job: 'a/b',
+    story: { reference: '~a_b', slide: 2 },
+  } as const
   expect(readAddress(writeAddress({ ...shown, steps }))).toEqual({ ...shown, faults: [] })
 })
 
 test('a plan without steps is not written', () => {
-  expect(writeAddress({ view: 'valve', valve: 'a', steps: [], job: null })).toBe('#/valve?valve=a')
+  expect(writeAddress({ view: 'valve', valve: 'a', steps: [], job: null, story: null })).toBe('#/valve?valve=a')
 })
 
 test('an address without a view is that of the valve', () => {
-  expect(readAddress('')).toMatchObject({ view: 'valve', valve: null, steps: null, job: null, faults: [] })
+  expect(readAddress('')).toMatchObject({ view: 'valve', valve: null, steps: null, job: null, story: null, faults: [] })
   expect(readAddress('#repair')).toMatchObject({ view: 'repair', faults: [] })
 })
 
