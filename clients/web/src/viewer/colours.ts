@@ -10,7 +10,7 @@ export const COLOUR_MODES: readonly (readonly [ColourMode, string])[] = [
   ['leaflets', 'Leaflets'],
   ['strain_circumferential', 'Circumferential strain'],
   ['strain_radial', 'Radial strain'],
-  ['height', 'Height above the annular plane'],
+  ['height', 'Height above the annulus'],
   ['tension', 'Chordal tension'],
 ]
 
@@ -42,6 +42,15 @@ export const RISING = ['#2c1160', '#711f81', '#b63679', '#ee605e', '#fdae78', '#
 /// Of chordae, thin lines over tissue and both grounds: each stop has a contrast of 2.9 or more against light and dark.
 export const PULLED = ['#6f7b89', '#a8842c', '#d9660f', '#d02c16'].map(rgb)
 export const BALANCED = ['#2166ac', '#92c5de', '#f0eee8', '#f4a582', '#b2182b'].map(rgb) // after ColorBrewer's RdBu
+
+/// Of an opening, by its width: the same blue, so that it is known for one; wider ones are as dark as 8 mm.
+export const OPEN: Scale = {
+  title: 'width of the opening',
+  unit: 'mm',
+  from: 0,
+  to: 8,
+  stops: ['#9cc6ff', TINTS.opening, '#062a6b'].map(rgb),
+}
 
 export interface Scale {
   title: string

@@ -1,5 +1,5 @@
 // The surface whose area is the leak of a closed valve, or the opening of one that stands open: solid where nothing is
-// before it, seen through tissue with its outline drawn over everything.
+// before it, seen through tissue with its outline drawn over everything. The wider it is the darker.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -12,7 +12,8 @@ import {
 } from 'three'
 import type { Leak, LeakSurfaces, Opening, Scene, Vector } from '../api/types'
 import { cm2, knownDigits } from '../format'
-import { TINTS } from './colours'
+import { colourOf, OPEN, TINTS, toLinear } from './colours'
+import { gapWidths } from './gap_width'
 import { at, closedLine } from './geometry'
 import type { Label } from './labels'
 import { Lines } from './lines'
@@ -43,9 +44,9 @@ export class LeakMeshes {
   private meshes: Mesh[] = []
   // Kept: a new one would have its program compiled again.
   private readonly materials = [
-    new MeshBasicMaterial({ color: TINTS.opening, side: DoubleSide }),
+    new MeshBasicMaterial({ vertexColors: true, side: DoubleSide }),
     new MeshBasicMaterial({
-      color: TINTS.opening,
+      vertexColors: true,
       side: DoubleSide,
       depthFunc: GreaterDepth,
       depthWrite: false,
@@ -75,9 +76,12 @@ export class LeakMeshes {
     this.outline.cut(planes)
   }
 
-  private meshesOf({ points_mm, faces }: LeakSurfaces[number]): Mesh[] {
+  private meshesOf(surface: LeakSurfaces[number]): Mesh[] {
+    const { points_mm, faces } = surface
     const geometry = new BufferGeometry()
     geometry.setAttribute('position', new BufferAttribute(Float32Array.from(points_mm), 3))
+    const colours = gapWidths(surface).flatMap((width_mm) => colourOf(OPEN, width_mm).map(toLinear))
+    geometry.setAttribute('color', new BufferAttribute(Float32Array.from(colours), 3))
     geometry.setIndex(faces)
     return this.materials.map((material) => {
       const mesh = new Mesh(geometry, material)

@@ -2,6 +2,7 @@ import { describe, expect, it, test } from 'vitest'
 import type { Leak, Opening, Scene, Vector } from '../../src/api/types'
 import { cornerColours, scaleOf, vertexValues } from '../../src/viewer/colours'
 import { boundaryEdges, closedLine } from '../../src/viewer/geometry'
+import { gapWidths } from '../../src/viewer/gap_width'
 import { leakLabels, openingLabels } from '../../src/viewer/leak'
 import { outwards, thickSheet, vertexNormals } from '../../src/viewer/thick_sheet'
 import { pyramid } from './scenes'
@@ -72,4 +73,23 @@ describe('colours of strain', () => {
     const colours = cornerColours(scene, 'strain_circumferential', scale, scene.rest_mm)
     expect([...colours.slice(6, 9)]).toEqual([...colours.slice(15, 18)]) // the tip, in two faces
   })
+})
+
+test('a slit is as wide as its lips are apart, all across; a wedge is wider at its wide end', () => {
+  const strip = (half: (x: number) => number) => {
+    const [across, along] = [9, 41]
+    const points_mm = Array.from({ length: across * along }, (_, i) => {
+      const x = 0.25 * Math.floor(i / across)
+      return [x, half(x) * (((i % across) - 4) / 4), 0]
+    }).flat()
+    const faces = Array.from({ length: (across - 1) * (along - 1) }, (_, i) => {
+      const a = Math.floor(i / (across - 1)) * across + (i % (across - 1))
+      return [a, a + 1, a + across, a + 1, a + across + 1, a + across]
+    }).flat()
+    return gapWidths({ area_mm2: 0, points_mm, faces, outline: [] })
+  }
+  const slit = strip(() => 1)
+  for (const i of [0, 4, 8]) expect(slit[20 * 9 + i]).toBeCloseTo(2) // from lip to lip
+  const wedge = strip((x) => 0.2 + 0.1 * x)
+  expect(wedge[4 * 9 + 4]).toBeLessThan(wedge[34 * 9 + 4] as number)
 })
