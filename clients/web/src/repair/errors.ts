@@ -38,7 +38,6 @@ type Neochorda = Extract<Step, { step: 'neochorda' }>
 const MILLIMETRE = { mm: 1, words: 'a millimetre' }
 const SIZE = { mm: 2, words: 'one size' } // of the transverse dimension
 const MOST_SIZES_BELOW = 6
-const OUTSIDE_MM = 0.6 // of tissue, so that the surface is seen
 const ROUNDING = 1e-9
 const PART = 0.04 // of a leaflet's width or height, over which a millimetre is measured
 
@@ -141,8 +140,7 @@ function neochordaMisses(step: Neochorda, scene: Scene): Misses {
     },
     placeAt([beside = 0, up = 0]) {
       const point = pointAt(beside, up)
-      const place = point && placed(point)
-      return place && plus(place, times(OUTSIDE_MM, scene.plane.normal))
+      return point && placed(point)
     },
     around: false,
   }
