@@ -21,7 +21,7 @@ test('every class that a view takes from a style sheet stands in it', () => {
     const code = text.replaceAll(/^import .*$/gm, '')
     for (const [, alias = '', sheet = ''] of text.matchAll(/^import (\w+) from '(\S+\.module\.css)'/gm)) {
       const known = classesOf(styles[`../../${new URL(sheet, `http://x/${path.slice(6)}`).pathname.slice(1)}`])
-      for (const [, used = ''] of code.matchAll(new RegExp(`\\b${alias}\\.(\\w+)`, 'g')))
+      for (const [, used = ''] of code.matchAll(new RegExp(`(?<![.\\w])${alias}\\.(\\w+)`, 'g')))
         if (!known.has(used)) missing.push(`${path}: ${alias}.${used}`)
     }
   }
