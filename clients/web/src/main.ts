@@ -98,7 +98,7 @@ const aboveViews = h(
   {},
   location.hash.length < 2 || /^#\/?valve$/.test(location.hash) ? firstVisit(workspace) : null,
 )
-const palette = commandPalette(workspace)
+const palette = commandPalette(workspace, () => shown)
 const bar = header(workspace, palette.open)
 const above = notices(() => void again())
 const route = router(workspace, {

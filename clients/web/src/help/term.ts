@@ -18,7 +18,8 @@ export function explained(words: string, text: string): HTMLElement {
   return element
 }
 
-function explain(word: HTMLElement, text: string): void {
+/// Below `word`.
+export function explain(word: HTMLElement, text: string): void {
   shown ??= bubble()
   if (!shown.isConnected) document.body.append(shown)
   shown.textContent = text

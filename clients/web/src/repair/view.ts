@@ -7,7 +7,7 @@ import { figureLines, pictureSaver } from '../picture/saver'
 import { labelledButton } from '../icons'
 import { problemList } from '../problems'
 import type { Slide } from '../story/types'
-import type { View } from '../view'
+import type { Command, View } from '../view'
 import { Looks } from '../valve/looks'
 import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
@@ -120,6 +120,10 @@ export class RepairView implements View {
   private escape(): void {
     if (this.picking.isAsking) this.picking.end()
     else this.tolerance.end()
+  }
+
+  settings(): Command[] {
+    return this.looks.settings()
   }
 
   perform({ camera, vary, ...shown }: Slide): void {

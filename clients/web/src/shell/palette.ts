@@ -1,25 +1,28 @@
-// Ctrl+K: every view, valve, kept plan and action by its name.
-import { presets } from '../api/calls'
+// Ctrl+K: every view, valve, ring, step, kept plan, story, setting, word and document by its name.
+import { presets, rings } from '../api/calls'
+import type { Step } from '../api/types'
 import { h } from '../dom'
-import { FIRST_STEPS, withStep } from '../repair/steps'
+import { words } from '../format'
+import { GLOSSARY } from '../help/glossary'
+import { explain } from '../help/term'
+import { HAS_SERVICE } from '../mode'
+import { describe, FIRST_STEPS, withStep } from '../repair/steps'
 import { openedValves } from '../state/valves'
+import { addressOf } from '../story/address'
+import { STORIES } from '../story/shipped'
 import { presetTitle } from '../valve/presets'
+import type { Command, View } from '../view'
 import type { Workspace } from '../workspace'
 import shellStyle from './shell.module.css'
 import { switchTheme } from './theme'
 import { VIEWS, withheld } from './views'
 
-export interface Command {
-  group: string
-  name: string
-  run(): void
-}
-
 export interface Palette {
   open(): void
 }
 
-export function commandPalette(workspace: Workspace): Palette {
+/// `shown`: the view in the page.
+export function commandPalette(workspace: Workspace, shown: () => View | null): Palette {
   let commands: Command[] = []
   let found: Command[] = []
   let at = 0
@@ -31,7 +34,7 @@ export function commandPalette(workspace: Workspace): Palette {
     'aria-controls': 'palette-list',
     'aria-expanded': 'true',
     autocomplete: 'off',
-    placeholder: 'View, valve, plan or action',
+    placeholder: 'View, valve, ring, plan, setting, word ...',
     oninput: () => relist(0),
     onkeydown: (event: KeyboardEvent) => step(event),
   })
@@ -73,12 +76,20 @@ export function commandPalette(workspace: Workspace): Palette {
     open() {
       if (dialog.open) return
       if (!dialog.isConnected) document.body.append(dialog)
-      commands = [...views(), ...actions(workspace), ...steps(workspace), ...plans(workspace)]
+      commands = [
+        ...views(),
+        ...actions(workspace),
+        ...steps(workspace),
+        ...plans(workspace),
+        ...stories(),
+        ...(shown()?.settings?.() ?? []),
+        ...documents(),
+      ]
       input.value = ''
       relist(0)
       dialog.showModal()
-      void valves(workspace).then((more) => {
-        commands = [...commands, ...more]
+      void Promise.all([valves(workspace), ringSizes(workspace)]).then(([valves, rings]) => {
+        commands = [...commands, ...rings, ...valves]
         relist(at)
       })
     },
@@ -112,8 +123,60 @@ function steps(workspace: Workspace): Command[] {
   return Object.entries(FIRST_STEPS).map(([name, step]) => ({
     group: 'Add a step',
     name,
-    run: () => void workspace.setPlan(withStep(workspace.plan.steps, step)).then(() => (location.hash = '#/repair')),
+    run: adding(workspace, step),
   }))
+}
+
+function adding(workspace: Workspace, step: Step): () => void {
+  return () => void workspace.setPlan(withStep(workspace.plan.steps, step)).then(() => (location.hash = '#/repair'))
+}
+
+/// Each ring that there is, as the plan's own.
+async function ringSizes(workspace: Workspace): Promise<Command[]> {
+  const { rings: shapes, sizes_mm } = await rings().catch(() => ({ rings: [], sizes_mm: { min: 1, max: 0, step: 1 } }))
+  const sizes = Array.from({ length: 1 + Math.floor((sizes_mm.max - sizes_mm.min) / sizes_mm.step) }, (_, i) => i)
+  const ring = (step: Step): Command => ({ group: 'Ring', name: describe(step), run: adding(workspace, step) })
+  return [
+    ...[0, 1, 2, 3, 4, 5, 6].map((sizes_below) => ring({ step: 'annuloplasty', shape: 'own', sizes_below })),
+    ...shapes.flatMap(({ name: shape }) =>
+      sizes.map((i) => ring({ step: 'annuloplasty', shape, size_mm: sizes_mm.min + i * sizes_mm.step })),
+    ),
+  ]
+}
+
+function stories(): Command[] {
+  return STORIES.map((story) => ({
+    group: 'Story',
+    name: story.title,
+    run: () => (location.hash = addressOf(story, story.name, 0)),
+  }))
+}
+
+/// What is written beside the page, and what its words mean.
+function documents(): Command[] {
+  const limits = (): void => {
+    const details = document.querySelector<HTMLDetailsElement>('footer details')
+    if (details) details.open = true
+    details?.querySelector('summary')?.focus()
+  }
+  const said = Object.entries(GLOSSARY).map(([name, text]) => ({
+    group: 'Word',
+    name: words(name),
+    run: () => explain(document.querySelector('header') ?? document.body, text),
+  }))
+  return [
+    { group: 'Document', name: 'What is not modelled', run: limits },
+    ...(HAS_SERVICE
+      ? [
+          {
+            group: 'Document',
+            name: 'Interface of the service (OpenAPI)',
+            run: () => void window.open('/openapi.json'),
+          },
+        ]
+      : []),
+    ...said,
+  ]
 }
 
 function plans(workspace: Workspace): Command[] {

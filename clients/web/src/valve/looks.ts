@@ -4,6 +4,7 @@ import { field, h, select } from '../dom'
 import { number, withUnit } from '../format'
 import { labelledButton } from '../icons'
 import { COLOUR_MODES, type ColourMode } from '../viewer/colours'
+import type { Command } from '../view'
 import type { ViewName } from '../viewer/stage'
 import type { Look } from '../viewer/viewer'
 import { Motion } from './motion'
@@ -81,6 +82,36 @@ export class Looks {
       hours: this.hours.checked,
       cut,
     }
+  }
+
+  /// For who finds them by their names.
+  settings(): Command[] {
+    const setting = (name: string, run: () => void): Command => ({ group: 'Setting', name, run })
+    const set = (change: () => void) => () => {
+      change()
+      this.onChange()
+    }
+    const switches = [
+      ['names', this.names],
+      ['the clock', this.hours],
+      ['the leak', this.leak],
+      ['the cut', this.cutting],
+    ] as const
+    return [
+      ...VIEWS.map(([view, , label]) => setting(`View: ${label}`, () => this.onView(view))),
+      ...COLOUR_MODES.map(([mode, label]) =>
+        setting(
+          `Colours: ${label}`,
+          set(() => (this.colours.value = mode)),
+        ),
+      ),
+      ...switches.map(([name, input]) =>
+        setting(
+          `${input.checked ? 'Hide' : 'Show'} ${name}`,
+          set(() => (input.checked = !input.checked)),
+        ),
+      ),
+    ]
   }
 
   /// What somebody else than the controls asks for.

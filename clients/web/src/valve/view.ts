@@ -7,7 +7,7 @@ import type { Figure } from '../picture/figure'
 import { figureLines, pictureSaver } from '../picture/saver'
 import { storyList } from '../story/offer'
 import type { Slide } from '../story/types'
-import type { View } from '../view'
+import type { Command, View } from '../view'
 import { kindsOn, legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
@@ -84,6 +84,10 @@ export class ValveView implements View {
     this.take()
   }
   hide(): void {}
+
+  settings(): Command[] {
+    return this.looks.settings()
+  }
 
   perform({ camera, ...shown }: Slide): void {
     this.looks.ask(shown)
