@@ -36,6 +36,7 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   farm: HAS_SERVICE
     ? async () => new (await import('./farm/view')).FarmView()
     : async () => needsService('Farm', 'A farm belongs to coapt-server.'),
+  cohort: async () => new (await import('./cohort/view')).CohortView(),
   train: async (workspace) => new (await import('./train/view')).TrainView(workspace),
 }
 

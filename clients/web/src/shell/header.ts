@@ -6,7 +6,7 @@ import { switchTheme } from './theme'
 import { VIEWS, type ViewName, withheld } from './views'
 import shellStyle from './shell.module.css'
 
-const OF_NO_VALVE: readonly ViewName[] = ['train', 'farm'] // cases of the trainer are made of a valve of its own
+const OF_NO_VALVE: readonly ViewName[] = ['cohort', 'train', 'farm'] // cases of the trainer are made of a valve of its own
 
 export interface Header {
   element: HTMLElement

@@ -5,6 +5,7 @@ export const VIEWS = [
   ['live', 'Live'],
   ['search', 'Search'],
   ['studies', 'Studies'],
+  ['cohort', 'Cohort'],
   ['train', 'Train'],
   ['farm', 'Farm'], // in the bar where the service has one
 ] as const

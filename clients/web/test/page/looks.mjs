@@ -13,6 +13,9 @@ const WINDOWS = [
   [1280, 800],
 ]
 const LARGER = '125%' // of the letters that a browser has else
+const FONTS = ['DejaVu Serif', 'DejaVu Sans Condensed', 'Liberation Sans'] // where there are any; the page asks for what the system has
+const NAMED =
+  /^\s*- (button|link|textbox|searchbox|slider|spinbutton|combobox|checkbox|radio|img|dialog|listbox)(?: \[[^\]]*\])*:?$/
 const PICTURES = join(ROOT, 'build/pages')
 
 /// Nothing is drawn but for pictures: the processor would take most of the time for that.
@@ -42,6 +45,12 @@ export async function looks(name, of, said, { theme = 'light' } = {}) {
   })
   await look(...WINDOWS[1], LARGER)
   for (const [width, height] of WINDOWS) await look(width, height, '')
+  for (const font of FONTS) {
+    await of.evaluate((name) => (document.documentElement.style.fontFamily = name), font)
+    await look(...WINDOWS[3], '')
+  }
+  await of.evaluate(() => (document.documentElement.style.fontFamily = ''))
+  found.push(...(await namelessOnes(of)).map((line) => `${name}: a screen reader hears no name of “${line}”`))
   await of.evaluate(() => (globalThis.drawsNothing = false))
   await picture(name, of, theme)
   found.push(...(await accessProblems(of)))
@@ -51,6 +60,12 @@ export async function looks(name, of, said, { theme = 'light' } = {}) {
   await of.evaluate((before) => (globalThis.drawsNothing = before), drewNothing)
   if (theme !== 'light') await of.emulateMedia({ colorScheme: 'light' })
   assert.deepEqual([...found, ...said], [])
+}
+
+/// Of what a screen reader is told of the page, the parts that have no name though one needs it.
+async function namelessOnes(of) {
+  const tree = await of.locator('body').ariaSnapshot()
+  return tree.split('\n').filter((line) => NAMED.test(line))
 }
 
 async function picture(name, of, colorScheme, [width, height] = [1440, 900]) {

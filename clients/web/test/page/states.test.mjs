@@ -143,6 +143,31 @@ test('a repair without a step, with all kinds of them, and while something is pi
   await press('Clear')
 })
 
+test('what a handle may miss by: a surface around it, its margin, a curve', async () => {
+  await press('Ring')
+  await answered()
+  await page.getByRole('slider', { name: 'Ring size' }).focus()
+  await page.locator('[data-part=tolerance-progress]', { hasText: /closures\./ }).waitFor()
+  const { tolerance } = await page.evaluate(() => globalThis.coapt.state())
+  assert.match(tolerance.leak_off, /mm²$/)
+  await looksWell('tolerance')
+  await page.keyboard.press('Escape')
+  await page.getByText('Grab a handle on the repaired valve').waitFor()
+  await press('Clear')
+})
+
+test('a story, and while it is written', async () => {
+  await page.evaluate(() => (location.hash = '#/valve?valve=fibroelastic-flail&story=flail-p2&slide=2'))
+  await page.locator('[data-part=story][data-told="2"]').waitFor()
+  await looksWell('story')
+  await press('Edit')
+  await page.getByRole('group', { name: 'Write the story' }).waitFor()
+  await looksWell('story-editor', { theme: 'dark' })
+  await page.getByRole('button', { name: 'End the story' }).click()
+  await page.evaluate(() => (location.hash = '#/repair?valve=human-functional-mr'))
+  await named('human-functional-mr')
+})
+
 test('long names, of a plan that is kept and scored and of a valve', async () => {
   await press('Ring')
   await answered()
@@ -210,6 +235,24 @@ test('a search: asked for, refused, running, failed, done, compared', async () =
   await page.unroute(/\/v1\/jobs\/[0-9a-f-]+$/)
 })
 
+test('many valves in a table', async () => {
+  await view('Cohort')
+  const state = page.locator('[data-part=cohort-state]')
+  await page.waitForFunction(() =>
+    /^(\d+) valves, \1 closed/.test(document.querySelector('[data-part=cohort-state]')?.textContent ?? ''),
+  )
+  await page.getByRole('button', { name: 'Leak, mm²' }).click()
+  await page.getByRole('columnheader', { name: 'Leak, mm²' }).and(page.locator('[aria-sort=descending]')).waitFor()
+  assert.match(await page.locator('[data-part=cohort-valve]').first().textContent(), /Type/)
+  await looksWell('cohort')
+  await page.getByLabel('Filter').fill('type iiib')
+  assert.match(await state.textContent(), /^[1-9]\d* valves/)
+  await page.getByLabel('Files of valves').setInputFiles(filesOf([{ name: 'mine.json', text: '{}' }]))
+  await page.locator('[data-part=problems]', { hasText: 'mine.json holds no valve' }).waitFor()
+  await looksWell('cohort-refused', { theme: 'dark' })
+  await page.getByLabel('Filter').fill('')
+})
+
 test('a study', async () => {
   await view('Studies')
   await looksWell('studies')
@@ -268,6 +311,10 @@ test('the palette, with and without what is sought', async () => {
   await page.getByLabel('Find a command').fill('nothing of this name')
   await page.getByText('Nothing has this name').waitFor()
   await looksWell('palette-empty', { theme: 'dark' })
+  await page.getByLabel('Find a command').fill('ring classic 30')
+  await page.locator('#palette-list [role=option]', { hasText: 'generic-classic, size 30' }).waitFor()
+  await page.getByLabel('Find a command').fill('word tenting')
+  await page.locator('#palette-list [role=option]', { hasText: 'tenting height' }).waitFor()
   await page.getByLabel('Find a command').fill('ring')
   await page.keyboard.press('Enter')
   await page.locator('nav [aria-current]', { hasText: 'Repair' }).waitFor()

@@ -11,7 +11,7 @@ openBefore('valve', { width: 1440, height: 900 }, () =>
 
 test('the first visit offers a story, and does so once', async () => {
   const offer = page.locator('[data-part=first-visit]')
-  await offer.getByRole('link', { name: 'A flail P2, repaired' }).waitFor()
+  await offer.getByRole('link', { name: 'A flail P2', exact: true }).waitFor()
   await offer.getByRole('button', { name: 'Not now' }).click()
   await offer.waitFor({ state: 'hidden' })
   await page.reload()
@@ -23,7 +23,7 @@ for (const name of STORIES) test(`${name} is told to its end`, () => tell(page, 
 
 test('a slide is a link, and a reload tells it again', async () => {
   await page.getByRole('link', { name: 'Valve', exact: true }).click()
-  await page.getByRole('link', { name: 'A flail P2, repaired' }).click()
+  await page.getByRole('link', { name: 'A flail P2', exact: true }).click()
   await page.locator('[data-part=story][data-told="1"]').waitFor()
   await page.getByRole('button', { name: 'Next' }).click()
   await page.locator('[data-part=story][data-told="2"]').waitFor()

@@ -7,6 +7,7 @@ import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { gzipSync } from 'node:zlib'
 import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
+import { tell } from '../page/telling.mjs'
 import { engineScript, hash } from './bits.mjs'
 import { startFiles } from './files.mjs'
 
@@ -66,6 +67,11 @@ test('a ring closes it again', async () => {
   const expected = native('human-p2-prolapse', '--plan', plan)
   assert.ok(Math.abs(number((await leak())[1]) - expected.leak_mm2) <= 0.5, `${await leak()}, not ${expected.leak_mm2}`)
   assert.match(await headline(), /→/)
+})
+
+test('a story is told to its end by the engine alone', async () => {
+  await tell(page, 'flail-p2', { pictures: false })
+  await opened('fibroelastic-flail')
 })
 
 test('a repair is kept by the browser', async () => {
