@@ -6,7 +6,7 @@ import { readPicture, type Picture } from '../engine/picture'
 import { at, onFace } from '../viewer/geometry'
 import { boxesOver } from '../viewer/label_layout'
 import { type Label, Labels } from '../viewer/labels'
-import { namedAnnulus, wholeValve } from '../viewer/marks'
+import { heldIn } from '../viewer/marks'
 import { pickAt, type Pick, type PickKind } from '../viewer/pick'
 import { Stage, type ViewName } from '../viewer/stage'
 import { startLive, type LiveClient, type LivePicture, type LiveValve } from './client'
@@ -111,10 +111,7 @@ export class LiveCanvas {
     const scene = this.drawing.valve?.scene
     if (!scene) return
     const { nodes } = this.drawing
-    this.stage.look(
-      name,
-      name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene, nodes.length > 0 ? nodes : undefined),
-    )
+    this.stage.look(name, heldIn(name, scene, nodes.length > 0 ? nodes : undefined))
   }
 
   /// While it is hidden no picture is asked for; the valve comes to rest.

@@ -2,6 +2,7 @@
 import type { Segment, ValveShape, Vector } from '../api/types'
 import { at, blend, closedLine, distance, dot, minus, onFace, plus, times, unit, vertexCount } from './geometry'
 import type { Label } from './labels'
+import type { ViewName } from './stage'
 
 const LANDMARKS: Record<string, string> = {
   saddle_peak: 'saddle peak',
@@ -96,8 +97,20 @@ export function wholeValve(scene: ValveShape, nodes: ArrayLike<number> = scene.r
   ]
 }
 
+/// What the camera holds in a view: from above the annulus alone, with its names; from below no unloaded leaflets, which hang so near to the
+/// eye that they would take the room.
+export function heldIn(view: ViewName, scene: ValveShape, nodes?: ArrayLike<number>): Vector[] {
+  if (view === 'atrial') return namedAnnulus(scene)
+  if (view !== 'ventricular' || !nodes) return wholeValve(scene, nodes)
+  return [
+    ...Array.from({ length: vertexCount(scene) }, (_, i) => at(nodes, i)),
+    ...annulusPoints(scene).map((point) => blend(scene.plane.origin_mm, point, OUTSIDE)),
+    ...scene.heads.map((head) => head.tip_mm),
+  ]
+}
+
 /// The annulus, the names of its landmarks around it and some of the aorta.
-export function namedAnnulus(scene: ValveShape): Vector[] {
+function namedAnnulus(scene: ValveShape): Vector[] {
   const points = annulusPoints(scene)
   const aorta = atClock(scene, 12, AORTA.seen_mm)
   return [...points, ...points.map((point) => blend(scene.plane.origin_mm, point, OUTSIDE)), aorta]

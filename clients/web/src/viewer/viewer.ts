@@ -24,7 +24,7 @@ import { type DrawnLabel, Labels, type Label } from './labels'
 import { leakLabels, LeakMeshes, openingLabels } from './leak'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines } from './lines'
-import { hours, namedAnnulus, namesOf, neighbours, wholeValve } from './marks'
+import { heldIn, hours, namesOf, neighbours, wholeValve } from './marks'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
 import { Ring } from './ring'
@@ -207,8 +207,7 @@ export class Viewer {
 
   view(name: ViewName): void {
     const { scene } = this
-    // From above only the annulus matters, with its names beside it.
-    if (scene) this.stage.look(name, name === 'atrial' ? namedAnnulus(scene) : wholeValve(scene, this.nodes))
+    if (scene) this.stage.look(name, heldIn(name, scene, this.nodes))
   }
 
   /// Words besides the names.
