@@ -112,7 +112,7 @@ export function wordsOf({ samples }: Tolerance, misses: Misses, limit_mm2: numbe
   if (!worst) return null
   return {
     handle: misses.name,
-    margin: margin === null ? withUnit(0, 'mm') : `${margin.isMore ? 'at least ' : ''}${withUnit(margin.mm, 'mm')}`,
+    margin: margin && `${margin.isMore ? 'at least ' : ''}${withUnit(margin.mm, 'mm')}`,
     leak_off: withError(worst.leak_mm2, worst.error_mm2, 'mm²'),
   }
 }

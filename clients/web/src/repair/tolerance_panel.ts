@@ -6,7 +6,7 @@ import type { Series } from '../charts/series'
 import { h, select } from '../dom'
 import { number, withUnit } from '../format'
 import { HAS_SERVICE } from '../mode'
-import { tellReadings } from '../state/readings'
+import { tellReadings, type ToleranceWords } from '../state/readings'
 import type { BubbleSurface } from '../viewer/bubble'
 import { BALANCED, type Scale } from '../viewer/colours'
 import { plus, times } from '../viewer/geometry'
@@ -152,7 +152,8 @@ export class TolerancePanel {
     tellReadings({ tolerance: words })
     this.viewer.bubble(this.surface(misses, known, scale))
     const at_mm = misses.placeAt(misses.ways.map(() => 0))
-    if (words && at_mm) this.viewer.mark([{ point_mm: at_mm, text: `margin ${words.margin}`, kind: 'distance' }])
+    const label = words?.margin ? `margin ${words.margin}` : 'leaks as planned'
+    if (words && at_mm) this.viewer.mark([{ point_mm: at_mm, text: label, kind: 'distance' }])
     this.said.textContent = words ? sentence(words, misses, limit_mm2) : ''
     this.scale.replaceChildren(legend('leaflets', scale, []))
     const untrusted = known.samples.filter(({ leak_mm2 }) => leak_mm2 === null).length
@@ -248,11 +249,9 @@ function curveWords({ label, x, y }: Series): string {
   return `${label}: ${x.map((error, i) => `${number(y[i])} mm² at ${number(error)} mm`).join(', ')}.`
 }
 
-function sentence(
-  { margin, leak_off }: { margin: string; leak_off: string },
-  { unit }: Misses,
-  limit_mm2: number,
-): string {
+function sentence({ margin, leak_off }: ToleranceWords, { unit }: Misses, limit_mm2: number): string {
   const limit = withUnit(limit_mm2, 'mm²', 0)
-  return `The margin is ${margin} before it leaks more than ${limit}; ${unit.words} off, it leaks ${leak_off} at worst.`
+  return margin === null
+    ? `It leaks more than ${limit} as planned; ${unit.words} off, it leaks ${leak_off} at worst.`
+    : `The margin is ${margin} before it leaks more than ${limit}; ${unit.words} off, it leaks ${leak_off} at worst.`
 }

@@ -3,7 +3,7 @@ import type { Opening } from '../api/types'
 
 export interface ToleranceWords {
   handle: string // what may end elsewhere
-  margin: string // "1.5 mm", "at least 3.0 mm"
+  margin: string | null // "1.5 mm", "at least 3.0 mm"; null: it leaks as planned
   leak_off: string // the largest leak a millimetre off
 }
 

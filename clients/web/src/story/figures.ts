@@ -96,7 +96,7 @@ const FIGURES: Readonly<Record<string, Figure>> = {
   },
   margin: {
     about: 'how far off the step that is varied may be (Repair)',
-    words: read(({ tolerance }) => tolerance?.margin ?? null),
+    words: read(({ tolerance }) => tolerance && (tolerance.margin ?? 'none')),
   },
   leak_off: {
     about: 'the largest leak where the step that is varied ends a millimetre off (Repair)',
