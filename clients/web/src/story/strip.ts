@@ -32,7 +32,7 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
   const count = h('span', { class: parts.hint, 'data-part': 'story-count' })
   const back = button('Back', () => go(-1))
   const next = button('Next', () => go(1), { class: parts.primary })
-  const editing = h('div', {})
+  const editing = h('div', { class: storyStyle.editing })
   const edit = button('Edit', () => void toggleEditor(), { 'aria-expanded': 'false' })
   const element = h(
     'section',
