@@ -14,6 +14,7 @@ import type { View } from '../view'
 import { problemsOf } from '../workspace'
 import { arranged, COLUMNS, type Column, newRow, type Row } from './rows'
 import { droppedFiles } from './dropped'
+import type { SideBySide } from './side_by_side'
 import parts from '../style/parts.module.css'
 import cohortStyle from './cohort.module.css'
 
@@ -34,6 +35,9 @@ export class CohortView implements View {
   private readonly filter = h('input', { type: 'search', oninput: () => this.draw() })
   private readonly said = h('p', { class: parts.hint, role: 'status', 'data-part': 'cohort-state' })
   private readonly told = h('div', {})
+  private readonly compared = h('div', {})
+  private pair: SideBySide | null = null
+  private ticked: Row[] = [] // to be compared, two at most
   private readonly search = button('Search for plans', () => void this.searchAll(), { class: parts.primary })
 
   constructor() {
@@ -60,6 +64,7 @@ export class CohortView implements View {
       ),
       this.said,
       this.told,
+      this.compared,
       h(
         'div',
         { class: parts.scroll, role: 'group', 'aria-label': 'Valves', tabindex: 0 },
@@ -223,13 +228,43 @@ export class CohortView implements View {
     const rows = this.shown()
     for (const [column, head] of this.heads)
       head.setAttribute('aria-sort', column !== this.by ? 'none' : this.isDown ? 'descending' : 'ascending')
+    const focused = keyOf(document.activeElement)
     this.body.replaceChildren(...rows.map((row) => this.line(row)))
+    // Who goes through the table by the keyboard goes on where they were.
+    if (focused !== null)
+      [...this.body.querySelectorAll<HTMLElement>('a, input')].find((other) => keyOf(other) === focused)?.focus()
     const closed = rows.filter(({ closure }) => closure)
     const leaking = closed.filter(({ closure }) => closure?.diagnosis && !closure.diagnosis.competent)
     this.said.textContent = `${rows.length} valves, ${closed.length} closed; ${leaking.length} of them leak.`
     const left = this.toSearch().length
     this.search.disabled = left === 0
     this.search.title = `Searches for plans for the ${left} valves of this list that leak and have none.`
+  }
+
+  /// Of three the one that was ticked first is left out.
+  private async tick(row: Row, is: boolean): Promise<void> {
+    const others = this.ticked.filter((other) => other !== row)
+    this.ticked = is ? [...others.slice(-1), row] : others
+    this.draw()
+    this.compared.hidden = this.ticked.length < 2
+    if (this.compared.hidden) return
+    try {
+      this.pair ??= (await import('./side_by_side')).sideBySide()
+      this.compared.replaceChildren(this.pair.element)
+      await this.pair.show(this.ticked)
+    } catch (error) {
+      this.compared.replaceChildren(problemList(problemsOf(error)))
+    }
+  }
+
+  private box(row: Row): HTMLElement {
+    const box = h('input', {
+      type: 'checkbox',
+      'aria-label': `Compare ${row.name}`,
+      checked: this.ticked.includes(row),
+      onchange: () => void this.tick(row, box.checked),
+    })
+    return box
   }
 
   private line(row: Row): HTMLElement {
@@ -247,8 +282,14 @@ export class CohortView implements View {
       const isLink = i === 0 || (column.title === 'First plan' && plan !== null)
       const inside = isLink ? h('a', { href: address(i === 0 ? 'valve' : 'repair') }, words) : words
       const look = { class: column.numeric ? parts.number : column.title === 'Diagnosis' ? parts.sentences : undefined }
-      return i === 0 ? h('th', { scope: 'row', ...look }, inside) : h('td', look, inside)
+      return i === 0 ? h('th', { scope: 'row', ...look }, this.box(row), ' ', inside) : h('td', look, inside)
     })
     return h('tr', { 'data-part': 'cohort-valve', title: row.closure?.diagnosis?.sentence }, ...cells)
   }
+}
+
+/// Of a control in the table; null: it is none.
+function keyOf(control: Element | null): string | null {
+  if (!control?.closest('[data-part=cohort-valve]')) return null
+  return control.getAttribute('aria-label') ?? control.getAttribute('href')
 }
