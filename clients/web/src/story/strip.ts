@@ -32,6 +32,7 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
   const count = h('span', { class: parts.hint, 'data-part': 'story-count' })
   const back = button('Back', () => go(-1))
   const next = button('Next', () => go(1), { class: parts.primary })
+  const again = button('Show the slide again', () => go(0))
   const editing = h('div', { class: storyStyle.editing })
   const edit = button('Edit', () => void toggleEditor(), { 'aria-expanded': 'false' })
   const element = h(
@@ -42,6 +43,7 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
       'div',
       { class: storyStyle.way },
       count,
+      again,
       back,
       next,
       edit,
@@ -57,6 +59,7 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
   let editor: { follow(story: Story, slide: number): void } | null = null
 
   const place = () => workspace.story?.slide ?? 0
+  const keyOf = (): string => `${reference} ${place()}`
   const slide = (): Slide | undefined => story?.slides[place()]
   const isTold = ({ view }: Slide): boolean => !withheld.has(view)
 
@@ -97,6 +100,7 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
     say(text, told(present.text, at))
     say(fault, at && faultOf(present, at))
     editor?.follow(story, place())
+    again.hidden = arrived !== keyOf() || isShown(present)
     element.dataset.told = at && !text.textContent?.includes(NOT_YET) ? String(place() + 1) : ''
     if (!at) return
     if (isOpened(present.text)) void open(at)
@@ -113,8 +117,13 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
     const { before, after, plan, isAnswered } = workspace
     const isHere = before !== null && workspace.valve?.reference === valve && isAnswered
     if (!isHere || (plan.steps.length > 0 && !after)) return null
-    if (JSON.stringify(plan.steps) === JSON.stringify(steps)) arrived = `${reference} ${place()}`
-    return arrived === `${reference} ${place()}` ? { valve: titleOf(valve), before, after, plan, readings } : null
+    if (JSON.stringify(plan.steps) === JSON.stringify(steps)) arrived = keyOf()
+    return arrived === keyOf() ? { valve: titleOf(valve), before, after, plan, readings } : null
+  }
+
+  function isShown({ view, valve, steps = NO_PLAN.steps }: Slide): boolean {
+    const isSamePlan = JSON.stringify(workspace.plan.steps) === JSON.stringify(steps)
+    return shown().name === view && workspace.valve?.reference === valve && isSamePlan
   }
 
   function faultOf({ expect }: Slide, { before, after }: Shown): string | null {
@@ -142,14 +151,16 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
   }
 
   /// The place of the next slide that can be told here, or of the one before.
-  function step(way: 1 | -1): number | null {
+  function step(way: 1 | -1 | 0): number | null {
+    if (way === 0) return place()
     for (let at = place() + way; story && at >= 0 && at < story.slides.length; at += way)
       if (isTold(story.slides[at] as Slide)) return at
     return null
   }
 
-  function go(way: 1 | -1): void {
+  function go(way: 1 | -1 | 0): void {
     const at = step(way)
+    if (way === 0) performed = ''
     if (story && at !== null) location.hash = addressOf(story, reference, at)
   }
 

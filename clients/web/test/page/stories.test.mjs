@@ -29,7 +29,11 @@ test('a slide is a link, and a reload tells it again', async () => {
   await page.locator('[data-part=story][data-told="2"]').waitFor()
   await page.reload()
   await page.locator('[data-part=story][data-told="2"]').waitFor()
-  await page.goBack()
+  await page.evaluate(() => (location.hash = '#/valve?valve=barlow&story=flail-p2&slide=2'))
+  await page.locator('[data-part=open-valve]', { hasText: 'barlow' }).waitFor()
+  await page.getByRole('button', { name: 'Show the slide again' }).click()
+  await page.locator('[data-part=open-valve]', { hasText: 'fibroelastic-flail' }).waitFor()
+  await page.evaluate(() => history.go(-3))
   await page.locator('[data-part=story][data-told="1"]').waitFor()
 })
 
