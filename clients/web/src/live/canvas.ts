@@ -63,7 +63,7 @@ export class LiveCanvas {
       this.element,
       () => this.picks.length > 0,
     )
-    this.labels.avoid = () => boxesOver(this.stage.canvas, [this.rates])
+    this.labels.avoid = () => boxesOver(this.stage.canvas, [this.rates, ...this.hooks.forces()])
     this.element.append(this.stage.canvas, this.labels.element, this.hooks.element, this.rates)
     this.stage.controls.enabled = !options.isFixed
     this.stage.controls.addEventListener('change', () => this.redraw())

@@ -123,6 +123,11 @@ export class Hooks {
     return this.held.some((held) => held !== null && held.pointer !== null)
   }
 
+  /// The words of the hooks that hold something.
+  forces(): HTMLElement[] {
+    return this.handles.filter(({ whole }) => !whole.hidden).map(({ force }) => force)
+  }
+
   /// Tells the forces of a picture.
   tell({ hooks }: Picture): void {
     for (const [hook, state] of hooks.entries()) {
