@@ -31,6 +31,7 @@ TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
                                                      "before",
                                                      "diagnosis",
                                                      "any_competent",
+                                                     "verdict",
                                                      "plans",
                                                      "fine_mesh",
                                                      "model_draws",
