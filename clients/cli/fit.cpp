@@ -27,7 +27,6 @@ namespace coapt {
 namespace {
 
 constexpr double kMostSeconds = 600.0;
-constexpr double kFarRms_mm = 2.0;  // a fit that ends there has not met the surface
 
 enum class SurfaceFrame { Patient, Valve };
 
@@ -136,20 +135,6 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
     out << "\nstopped before it came to rest" << why(fit.stop) << '\n';
 }
 
-/// What a person should check of a fit that came to rest; empty: nothing.
-std::string doubts(const ValveFit& fit) {
-  std::string doubts;
-  if (fit.rms_mm > kFarRms_mm)
-    doubts = "the valve could not be brought to the surface: " + fixed(fit.rms_mm, 2) +
-             " mm rms is more than " + fixed(kFarRms_mm, 0) + " mm";
-  if (fit.independent_points < static_cast<double>(fit.parameters.size()))
-    doubts += (doubts.empty() ? "" : "; ") + std::string("the surface weighs as ") +
-              std::to_string(std::lround(fit.independent_points)) +
-              " independent points, fewer than the " + std::to_string(fit.parameters.size()) +
-              " parameters: its distances are those of one broad bulge";
-  return doubts;
-}
-
 int run(FitArguments arguments) {
   for (const std::string& output : {arguments.output, arguments.picture})
     if (const int failed = check_output(output)) return failed;
@@ -196,10 +181,10 @@ int run(FitArguments arguments) {
     std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';
   else
     print_fit(std::cout, *fit, measured);
-  if (const std::string told = doubts(*fit); !told.empty())
-    std::cerr << "coapt: fit: check this against the images: " << told << ".\n";
-  return fit->stop == FitStop::AtRest && fit->rms_mm <= kFarRms_mm ? exit_code::kOk
-                                                                   : exit_code::kNotClosed;
+  const std::vector<std::string> doubts = doubts_of(*fit);
+  for (const std::string& doubt : doubts)
+    std::cerr << "coapt: fit: check this against the images: " << doubt << ".\n";
+  return fit->stop == FitStop::AtRest && doubts.empty() ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -291,7 +276,8 @@ void add_fit(Command parent, int& status) {
       "meet.\n"
       "It says how well each is known afterwards, and what the data cannot tell. Exit code 3 if "
       "it\n"
-      "was stopped before it came to rest, or ended more than 2 mm rms from the surface.\n\n"
+      "was stopped before it came to rest, ended more than 2 mm rms from the surface, or if the\n"
+      "surface has fewer independent points than there are parameters.\n\n"
       "Examples:\n"
       "  coapt fit valve.json --closed systole.stl -o fitted.json --map residual.png\n"
       "  coapt fit valve.json --closed systole.vtk --leak 35 --leak-sd 10 -o fitted.json --json\n"

@@ -68,32 +68,35 @@ Json to_json(const FitState& state) {
   return {{"pass", state.pass},
           {"noise_mm", state.noise_mm},
           {"independent_points", state.independent_points},
+          {"outlier_mm", state.outlier_mm},
           {"point", std::vector<double>(point.begin(), point.end())},
           {"difference", state.squares.difference},
           {"pass_rounds", state.squares.rounds},
           {"rounds", state.rounds},
           {"closures", state.closures},
-          {"before", std::vector<double>(state.before.begin(), state.before.end())}};
+          {"nearest", std::vector<double>(state.nearest.begin(), state.nearest.end())},
+          {"nearest_rms_mm", state.nearest_rms_mm}};
 }
 
 std::optional<FitState> fit_state_from_json(const Json& json) {
   FitState state;
-  std::vector<double> point, before;
+  std::vector<double> point, nearest;
   ProblemList problems;
-  read_fields({json, problems},
-              {{"pass", into(state.pass, read_integer)},
-               {"noise_mm", into(state.noise_mm, read_number)},
-               {"independent_points", into(state.independent_points, read_number)},
-               {"point", [&](const JsonPlace& place) { point = read_list(place, read_number); }},
-               {"difference", into(state.squares.difference, read_number)},
-               {"pass_rounds", into(state.squares.rounds, read_integer)},
-               {"rounds", into(state.rounds, read_integer)},
-               {"closures", into(state.closures, read_integer)},
-               {"before",
-                into(before, [](const JsonPlace& place) { return read_list(place, read_number); }),
-                false}});
+  read_fields(
+      {json, problems},
+      {{"pass", into(state.pass, read_integer)},
+       {"noise_mm", into(state.noise_mm, read_number)},
+       {"independent_points", into(state.independent_points, read_number)},
+       {"outlier_mm", into(state.outlier_mm, read_number)},
+       {"point", [&](const JsonPlace& place) { point = read_list(place, read_number); }},
+       {"difference", into(state.squares.difference, read_number)},
+       {"pass_rounds", into(state.squares.rounds, read_integer)},
+       {"rounds", into(state.rounds, read_integer)},
+       {"closures", into(state.closures, read_integer)},
+       {"nearest", [&](const JsonPlace& place) { nearest = read_list(place, read_number); }},
+       {"nearest_rms_mm", into(state.nearest_rms_mm, read_number)}});
   if (!problems.empty()) return std::nullopt;
-  state.before = Eigen::Map<const Eigen::VectorXd>(before.data(), std::ssize(before));
+  state.nearest = Eigen::Map<const Eigen::VectorXd>(nearest.data(), std::ssize(nearest));
   state.squares.point = Eigen::Map<const Eigen::VectorXd>(point.data(), std::ssize(point));
   return state;
 }
@@ -105,6 +108,9 @@ Json fit_to_json(const ValveFit& fit, const FittedFiles& files) {
                                               {"side", atrial ? "atrial" : "middle"},
                                               {"rms_mm", fit.rms_mm},
                                               {"rms_before_mm", fit.rms_before_mm},
+                                              {"best_rms_mm", fit.best_rms_mm},
+                                              {"look", !doubts_of(fit).empty()},
+                                              {"doubts", doubts_of(fit)},
                                               {"points",
                                                {{"given", files.measured.points_mm.rows()},
                                                 {"used", fit.points_mm.rows()},

@@ -15,7 +15,7 @@ struct FittedFiles {
   MeasuredClosure measured;
 };
 
-/// coapt.fit/1. Keys that scripts rely on: rms_mm, parameters[] (name, value, sd, identifiable); with FitOptions::ruptures
+/// coapt.fit/1. Keys that scripts rely on: rms_mm, rms_before_mm, best_rms_mm, look (a person should check it; doubts[] says why), parameters[] (name, value, sd, identifiable); with FitOptions::ruptures
 /// hypotheses[] (name, probability, rms_mm, leak_mm2, refitted, taken).
 Json fit_to_json(const ValveFit& fit, const FittedFiles& files);
 

@@ -21,17 +21,11 @@ constexpr int kPasses = 2;
 constexpr double kFirstNoise_mm = 0.5;
 constexpr double kFirstShare = 0.1;  // of points that are independent
 constexpr double kIdentified = 0.5;
-// A model that ends so far from the surface is wrong by more than the noise by which a pass weighs: its weights may then let go of what the
-// pass before had reached.
-constexpr double kFarRms_mm = 1.0;
+constexpr double kFarRms_mm = 2.0;  // a fit that ends there has not met the surface
+// Answers whose rms distances differ by less are as near as each other: then the more probable one is taken.
+constexpr double kAsNear = 1.02;
 
 using Clock = std::chrono::steady_clock;
-
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
 
 /// What cannot be fitted at all.
 Errors check(const MeasuredClosure& measured, const FitProblem& problem, const Points& points_mm,
@@ -59,6 +53,16 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
                       " mm from the closed valve in the median, must be within 15 mm: is it in the "
                       "same frame and in millimetres?"}};
   return {};
+}
+
+/// How far an answer is from what its weights hold for the most probable, in the parameters' units.
+Eigen::VectorXd shift(const FitProblem& problem, const Eigen::VectorXd& from,
+                      const Eigen::VectorXd& to) {
+  const std::vector<double> a = problem.values(from), b = problem.values(to);
+  Eigen::VectorXd by(std::ssize(a));
+  for (Eigen::Index i = 0; i < by.size(); ++i)
+    by(i) = b[static_cast<std::size_t>(i)] - a[static_cast<std::size_t>(i)];
+  return by;
 }
 
 /// Of a slack in shares of the fitted length, of others as they are.
@@ -90,6 +94,20 @@ const char* to_string(FitStop stop) {
   return "";
 }
 
+std::vector<std::string> doubts_of(const ValveFit& fit) {
+  std::vector<std::string> doubts;
+  if (fit.rms_mm > kFarRms_mm)
+    doubts.push_back(
+        "the valve could not be brought to the surface: " + with_decimals(fit.rms_mm, 2) +
+        " mm rms is more than " + with_decimals(kFarRms_mm, 0) + " mm");
+  if (fit.independent_points < static_cast<double>(fit.parameters.size()))
+    doubts.push_back(
+        "the surface weighs as " + std::to_string(std::lround(fit.independent_points)) +
+        " independent points, fewer than the " + std::to_string(fit.parameters.size()) +
+        " parameters: its distances are those of one broad bulge");
+  return doubts;
+}
+
 Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured,
                              const FitOptions& options) {
   if (options.ruptures && is_mitral(valve)) return fit_with_ruptures(valve, measured, options);
@@ -103,28 +121,25 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   fit.before = close_and_measure(valve, options.closure);
   if (Errors errors = check(measured, problem, fit.points_mm, fit.before); !errors.empty())
     return errors;
-  fit.rms_before_mm = rms(problem.answer_of(fit.before).distances_mm);
+  const FitAnswer as_given = problem.answer_of(fit.before);
+  fit.rms_before_mm = rms_distance_mm(as_given);
+  problem.meet({problem.point_of({}), fit.rms_before_mm});
 
-  FitWeights weights{kFirstNoise_mm, kFirstShare * static_cast<double>(fit.points_mm.rows())};
+  FitWeights weights{kFirstNoise_mm, kFirstShare * static_cast<double>(fit.points_mm.rows()),
+                     outlier_mm(as_given)};
   Eigen::VectorXd point = problem.point_of(options.start);
   FitAnswer answer;
-  Eigen::VectorXd point_before;  // of the pass before
-  FitAnswer answer_before;
   int first_pass = 0;
   const bool goes_on =
       options.from && options.from->squares.point.size() == std::ssize(problem.parameters());
   if (goes_on) {
     first_pass = options.from->pass;
-    weights = {options.from->noise_mm, options.from->independent_points};
+    weights = {options.from->noise_mm, options.from->independent_points, options.from->outlier_mm};
     fit.rounds = options.from->rounds;
-    point_before = options.from->before;
+    problem.meet({options.from->nearest, options.from->nearest_rms_mm});
+    problem.count_before(options.from->closures);
   }
   const ClosureBudget unhurried = unhurried_budget(fit.before);
-  if (point_before.size() == point.size()) {
-    problem.allow(unhurried);
-    answer_before = problem.answers({point_before}).front();
-  }
-  if (goes_on) problem.count_before(options.from->closures);
   // Closures that are to come: two for each parameter, and what is fitted twice.
   const double last_closures = 2.0 * static_cast<double>(point.size()) + 2.0;
   const auto out_of_time = [&] {
@@ -157,8 +172,9 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
     };
     fitting.keep = [&](const LeastSquaresState& squares) {
       if (options.keep)
-        options.keep({pass, weights.noise_mm, weights.independent, squares, fit.rounds,
-                      problem.closures(), point_before});
+        options.keep({pass, weights.noise_mm, weights.independent, weights.outlier_mm, squares,
+                      fit.rounds, problem.closures(), problem.nearest().point,
+                      problem.nearest().rms_mm});
     };
     const bool resumes = goes_on && pass == first_pass;
     const LeastSquaresFit found =
@@ -171,15 +187,13 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
       fit.stop = FitStop::RoundLimit;
     problem.allow(unhurried);
     answer = problem.answers({point}).front();
-    const double rms_mm = rms(answer.distances_mm);
-    if (point_before.size() == point.size() && rms_mm > kFarRms_mm &&
-        rms(answer_before.distances_mm) < rms_mm) {
-      point = point_before;
-      answer = answer_before;
-    }
     weights = weights_of(fit.points_mm, answer);
-    point_before = point;
-    answer_before = answer;
+  }
+  const Eigen::VectorXd most_probable = point;
+  if (!(rms_distance_mm(answer) <= kAsNear * problem.nearest().rms_mm)) {
+    point = problem.nearest().point;
+    answer = problem.answers({point}).front();
+    weights = weights_of(fit.points_mm, answer);
   }
 
   const std::vector<double> values = problem.values(point);
@@ -187,10 +201,12 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   if (!fitted) return fitted.errors();
   fit.closed = close_and_measure(*fitted, options.closure);
   fit.distances_mm = answer.distances_mm;
-  fit.rms_mm = rms(fit.distances_mm);
+  fit.rms_mm = rms_distance_mm(answer);
+  fit.best_rms_mm = problem.nearest().rms_mm;
   fit.independent_points = weights.independent;
   const FitPosterior posterior = posterior_at(problem, point, weights);
-  fit.covariance = posterior.covariance;
+  const Eigen::VectorXd away = shift(problem, point, most_probable);
+  fit.covariance = posterior.covariance + away * away.transpose();
   fit.leak = {answer.leak_mm2,
               Vec2(posterior.leak_sd_mm2, fit.closed.measure.leak_error_mm2).norm()};
   for (std::size_t i = 0; i < values.size(); ++i) {

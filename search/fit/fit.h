@@ -7,6 +7,11 @@
 // (smoothing, mesh, what the model lacks), so that a thousand points may weigh as thirty. Standard deviations are those of
 // the linearised posterior, (J'J + prior)^-1 (Bard 1974, Nonlinear Parameter Estimation).
 //
+// A model that cannot reach the surface leaves residuals that are one broad bulge: a variance with a length of its own, of which a
+// surface holds few. What is most probable by such weights is near the priors, and lets go of a nearer place that was met on the
+// way. The answer is then the nearest place of all, and its covariance is the second moment about it, that of the posterior and
+// the square of its distance from the most probable values: such parameters are known no better than that.
+//
 // A closure may take ten times the steps of the valve as given; one that takes more counts as a valve that does not close.
 // Some anatomies climb the ladder of closures to its end (hypertrophic, tips drawn: half of the closures at 50,000
 // steps, 376 as given), and a fit of them would take an hour.
@@ -37,11 +42,13 @@ struct MeasuredClosure {
 /// A fit between two rounds: from here it goes on as it would have without a break.
 struct FitState {
   int pass = 0;
-  double noise_mm = 0.0, independent_points = 0.0;  ///< by which the pass weighs distances
+  double noise_mm = 0.0, independent_points = 0.0,
+         outlier_mm = 0.0;  ///< by which the pass weighs distances
   LeastSquaresState squares;
-  int rounds = 0;               ///< of the passes before
-  int closures = 0;             ///< made until now
-  Eigen::VectorXd before = {};  ///< where the pass before ended; empty in the first
+  int rounds = 0;                ///< of the passes before
+  int closures = 0;              ///< made until now
+  Eigen::VectorXd nearest = {};  ///< of the places met until now
+  double nearest_rms_mm = 0.0;
 };
 
 struct FitOptions {
@@ -100,6 +107,7 @@ struct ValveFit {
   Points points_mm;                  ///< that were used
   std::vector<double> distances_mm;  ///< of them, signed_distances_mm()
   double rms_before_mm = 0.0, rms_mm = 0.0;
+  double best_rms_mm = 0.0;  ///< of all places that were met; rms_mm is at most 2 % more
   double independent_points = 0.0;
   FittedLeak leak;
   int rounds = 0, closures = 0;
@@ -109,6 +117,10 @@ struct ValveFit {
   std::string taken;
   std::vector<std::string> left_out;  ///< that there was no time to screen, or to refit
 };
+
+/// What a person should check of it against the images, a clause each: it ends more than 2 mm rms from the surface, or the surface has
+/// fewer independent points than the fit has parameters. Empty: nothing.
+std::vector<std::string> doubts_of(const ValveFit& fit);
 
 /// Deterministic, for any number of threads. Errors: "/points_mm" too few or far from the valve, "/leak_mm2", nothing unknown, a valve that does not close.
 /// @pre the valve is valid.

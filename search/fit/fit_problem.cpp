@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/metrics/quantile.h"
 #include "search/evaluator.h"
 #include "search/fit/correlated_noise.h"
 #include "search/parallel.h"
@@ -10,7 +11,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kOutlier_mm = 3.0;         // distances count as less and less beyond it
+constexpr double kLeastOutlier_mm = 3.0, kOutlierMedians = 3.0;  // assumed
 constexpr double kUntrusted_mm = 10.0;      // distance of a valve that does not close
 constexpr double kMostTimesAsGiven = 10.0;  // steps of a closure
 
@@ -19,16 +20,29 @@ constexpr double kLeastNoise_mm = 0.01;
 // judge it): residuals of a fit are less alike than the errors that it has absorbed, and the mesh adds its own.
 constexpr double kDiscrepancy = 3.5;
 
-/// Distances beyond kOutlier_mm count as little more than that (a point of another structure).
-double capped(double distance_mm) {
-  return distance_mm / Vec2(1.0, distance_mm / kOutlier_mm).norm();
+double capped(double distance_mm, double outlier_mm) {
+  return distance_mm / Vec2(1.0, distance_mm / outlier_mm).norm();
 }
 
 }  // namespace
 
+double rms_distance_mm(const FitAnswer& answer) {
+  if (!answer.trusted) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0.0;
+  for (const double distance : answer.distances_mm) sum += distance * distance;
+  return std::sqrt(sum / static_cast<double>(answer.distances_mm.size()));
+}
+
+double outlier_mm(const FitAnswer& answer) {
+  std::vector<double> away;
+  for (const double distance : answer.distances_mm) away.push_back(std::abs(distance));
+  return std::max(kLeastOutlier_mm, kOutlierMedians * quantile(std::move(away), 0.5));
+}
+
 FitWeights weights_of(const Points& points_mm, const FitAnswer& answer) {
   const CorrelatedNoise noise = correlated_noise(points_mm, answer.distances_mm);
-  return {std::max(kLeastNoise_mm, noise.sd_mm), noise.independent / kDiscrepancy};
+  return {std::max(kLeastNoise_mm, noise.sd_mm), noise.independent / kDiscrepancy,
+          outlier_mm(answer)};
 }
 
 ClosureBudget unhurried_budget(const ClosedValve& before) {
@@ -83,7 +97,13 @@ std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& p
     if (trusted(closed.closure)) answer = answer_of(closed);
     ++closures_;
   });
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (all[i].trusted) meet({points[i], rms_distance_mm(all[i])});
   return all;
+}
+
+void FitProblem::meet(const NearestPoint& place) {
+  if (place.rms_mm < nearest_.rms_mm) nearest_ = place;
 }
 
 Eigen::VectorXd FitProblem::residual(const Eigen::VectorXd& point, const FitAnswer& answer,
@@ -92,7 +112,7 @@ Eigen::VectorXd FitProblem::residual(const Eigen::VectorXd& point, const FitAnsw
   const double each = std::sqrt(weights.independent / static_cast<double>(n)) / weights.noise_mm;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(n + 1 + m);
   for (Eigen::Index i = 0; i < n; ++i)
-    all(i) = each * capped(answer.distances_mm[static_cast<std::size_t>(i)]);
+    all(i) = each * capped(answer.distances_mm[static_cast<std::size_t>(i)], weights.outlier_mm);
   if (measured_.leak_mm2) all(n) = (answer.leak_mm2 - *measured_.leak_mm2) / measured_.leak_sd_mm2;
   const std::vector<double> at = values(point);
   for (Eigen::Index i = 0; i < m; ++i) {

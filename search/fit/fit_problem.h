@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <atomic>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,11 +20,25 @@ struct FitAnswer {
   bool trusted = false;  ///< it closes; else the numbers are large and mean nothing
 };
 
+/// Root mean square distance; NaN of one that is not trusted.
+double rms_distance_mm(const FitAnswer& answer);
+
 /// How residuals are weighed.
 struct FitWeights {
   double noise_mm = 0.0;
   double independent = 0.0;  ///< points
+  double outlier_mm =
+      0.0;  ///< distances count as less and less beyond it (a point of another structure)
 };
+
+/// The place of the least rms distance among all that were closed.
+struct NearestPoint {
+  Eigen::VectorXd point;  ///< of the unit cube; empty: none yet
+  double rms_mm = std::numeric_limits<double>::infinity();
+};
+
+/// From 3 mm, or from three times the median distance where the model lies farther off than that.
+double outlier_mm(const FitAnswer& answer);
 
 /// By the distances that an answer leaves.
 FitWeights weights_of(const Points& points_mm, const FitAnswer& answer);
@@ -52,6 +67,10 @@ class FitProblem {
   FitAnswer answer_of(const ClosedValve& closed) const;
   std::vector<FitAnswer> answers(const std::vector<Eigen::VectorXd>& points);
 
+  const NearestPoint& nearest() const { return nearest_; }
+  /// A place that another run has met, or a closure that was made elsewhere.
+  void meet(const NearestPoint& place);
+
   /// Weighed distances, the leak, and how far each value is from its prior.
   Eigen::VectorXd residual(const Eigen::VectorXd& point, const FitAnswer& answer,
                            const FitWeights& weights) const;
@@ -63,6 +82,7 @@ class FitProblem {
   const Points& points_mm_;
   std::vector<FitParameter> parameters_;
   ClosureBudget budget_;
+  NearestPoint nearest_;
   std::atomic<int> closures_ = 0;
 };
 

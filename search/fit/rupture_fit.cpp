@@ -42,13 +42,6 @@ ValuesByName fitted_values(const ValveFit& fit) {
   return values;
 }
 
-double rms_of(const FitAnswer& answer) {
-  if (!answer.trusted) return std::numeric_limits<double>::quiet_NaN();
-  double sum = 0.0;
-  for (const double distance : answer.distances_mm) sum += distance * distance;
-  return std::sqrt(sum / static_cast<double>(answer.distances_mm.size()));
-}
-
 /// One fit after the other, within the time of one.
 class RuptureFit {
  public:
@@ -146,7 +139,8 @@ class RuptureFit {
   FitWeights common_weights() const {
     const FitAnswer* clearest = &candidates_.front().answer;
     const auto look_at = [&](const FitAnswer& answer) {
-      if (answer.trusted && rms_of(answer) < rms_of(*clearest)) clearest = &answer;
+      if (answer.trusted && rms_distance_mm(answer) < rms_distance_mm(*clearest))
+        clearest = &answer;
     };
     for (const Candidate& candidate : candidates_) {
       look_at(candidate.answer);
@@ -206,8 +200,8 @@ class RuptureFit {
       const double prior = at == 0 ? kIntactPrior : (1.0 - kIntactPrior) / others;
       costs.push_back(cost - 2.0 * std::log(prior));
       if (candidate.fit && costs[at] < costs[best]) best = at;
-      hypotheses.push_back({candidate.name, rms_of(candidate.answer), candidate.answer.leak_mm2,
-                            cost, 0.0, candidate.fit.has_value()});
+      hypotheses.push_back({candidate.name, rms_distance_mm(candidate.answer),
+                            candidate.answer.leak_mm2, cost, 0.0, candidate.fit.has_value()});
     }
     double sum = 0.0;
     const double least = *std::min_element(costs.begin(), costs.end());

@@ -50,12 +50,15 @@ std::optional<FitState> kept_state(const std::optional<std::string>& text) {
 ImportDecision fit_decision(const ValveFit& fit) {
   int known = 0;
   for (const FittedParameter& parameter : fit.parameters) known += parameter.identifiable ? 1 : 0;
+  std::string doubts;
+  for (const std::string& doubt : doubts_of(fit)) doubts += "; " + doubt;
   return {"fit",
           "changed to close onto the surface given: distances " + fixed(fit.rms_before_mm, 2) +
               " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
           std::to_string(known) + " of " + std::to_string(fit.parameters.size()) +
               " unknowns are told by the surface; the others stay as uncertain as they were" +
-              (fit.stop == FitStop::AtRest ? "" : "; stopped before it came to rest")};
+              (fit.stop == FitStop::AtRest ? "" : "; stopped before it came to rest") + doubts,
+          !doubts.empty()};
 }
 
 /// What a fit has made of an imported valve.

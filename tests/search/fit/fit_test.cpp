@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "core/valve/remodel.h"
 #include "tests/scenes/small_preset.h"
@@ -39,6 +40,55 @@ TEST(Fit, FindsTheTipsOfAClosedStateThatItsModelCanReach) {
     EXPECT_GT(fit->parameters[i].sd, 0.0);
     EXPECT_TRUE(fit->parameters[i].identifiable) << "by so many points";
   }
+}
+
+/// The closed vertices of a tethered twin: both tips so far outwards and towards the apex that its leaflets tent.
+MeasuredClosure tethered(const Valve& valve, double outwards_mm, double apical_mm) {
+  Remodelling change;
+  change.anterolateral_mm = change.posteromedial_mm = Vec3(outwards_mm, 0.0, apical_mm);
+  const ClosedValve closed = close_and_measure(*remodel(valve, change));
+  return {closed.closure.closed_mm, MeasuredSide::Middle, {}, 3.0};
+}
+
+TEST(Fit, FindsATetheredTwinThatStartsFourMillimetresOff) {
+  const Valve& valve = small_preset("human-normal");
+  FitOptions options = tips_alone();
+  options.unknowns.tip_sd_mm = 4.0;
+  options.most_rounds = 6;
+  const Expected<ValveFit> fit = fit_valve(valve, tethered(valve, 4.0, 8.0), options);
+  ASSERT_TRUE(fit);
+  EXPECT_GT(fit->rms_before_mm, 3.5);
+  EXPECT_LT(fit->rms_mm, 0.3);
+  EXPECT_LE(fit->rms_mm, 1.02 * fit->best_rms_mm);
+}
+
+TEST(Fit, AnswersWithTheNearestPlaceThatItMetWhereItsModelCannotReach) {
+  const Valve& valve = small_preset("human-normal");
+  FitOptions options = tips_alone();
+  options.unknowns.tip_sd_mm = 0.5;
+  options.most_rounds = 3;
+  double least_mm = std::numeric_limits<double>::infinity();
+  options.keep = [&](const FitState& state) {
+    least_mm = std::min(least_mm, state.nearest_rms_mm);
+  };
+  const Expected<ValveFit> fit = fit_valve(valve, tethered(valve, 4.0, 8.0), options);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(fit->rms_mm, fit->rms_before_mm);
+  EXPECT_LE(fit->best_rms_mm, least_mm);
+  EXPECT_LE(fit->rms_mm, 1.02 * fit->best_rms_mm);
+  EXPECT_FALSE(doubts_of(*fit).empty());
+}
+
+TEST(Fit, DoubtsAnEndFarFromTheSurfaceAndASurfaceThatSaysLessThanIsAsked) {
+  ValveFit fit;
+  fit.parameters.resize(6);
+  fit.rms_mm = 1.9;
+  fit.independent_points = 6.0;
+  EXPECT_TRUE(doubts_of(fit).empty());
+  fit.rms_mm = 2.1;
+  EXPECT_EQ(doubts_of(fit).size(), 1U);
+  fit.independent_points = 5.0;
+  EXPECT_EQ(doubts_of(fit).size(), 2U);
 }
 
 TEST(Fit, IsTheSameForAnyNumberOfThreads) {
