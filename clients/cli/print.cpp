@@ -4,9 +4,11 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <optional>
 #include <ostream>
 
 #include "clients/cli/print_opening.h"
+#include "core/metrics/estimate.h"
 #include "core/valve/number_text.h"
 #include "io/json/json.h"
 #include "io/picture/text.h"
@@ -17,17 +19,24 @@ namespace {
 
 constexpr double kSmallestListed_mm2 = 0.5;  // as in pictures
 
+const char* error_words(ErrorCause cause) {
+  switch (cause) {
+    case ErrorCause::Numerical:
+      return "the computation's error";
+    case ErrorCause::Tissue:
+      return "what is not known of the tissue";
+    case ErrorCause::Execution:
+      return "errors of the hand";
+  }
+  return "";
+}
+
 std::ostream& row(std::ostream& out, const char* label) {
   return out << "  " << std::left << std::setw(16) << label << std::right;
 }
 
 /// "n/a" if it is null.
 std::string rounded(const Json& value, int decimals) { return fixed(number_of(value), decimals); }
-
-/// "45.7 ± 2.1 mm2".
-std::string area(const Json& value, const Json& error) {
-  return with_error(number_of(value), number_of(error), "mm2");
-}
 
 void print_attempts(std::ostream& out, const Json& attempts) {
   if (attempts.size() < 2) return;
@@ -39,7 +48,7 @@ void print_attempts(std::ostream& out, const Json& attempts) {
 
 void print_leak(std::ostream& out, const Json& leak) {
   const double error = number_of(leak["error_mm2"]);
-  row(out, "leak") << area(leak["area_mm2"], leak["error_mm2"]) << '\n';
+  row(out, "leak") << leak_and_error(leak) << '\n';
   for (const Json& opening : leak["openings"]) {
     if (number_of(opening["area_mm2"]) < kSmallestListed_mm2) continue;
     std::string segments;
@@ -144,6 +153,24 @@ void print_convergence(std::ostream& out, const Json& convergence) {
 }
 
 }  // namespace
+
+std::string leak_and_error(const Json& leak) {
+  const double area_mm2 = number_of(leak["area_mm2"]);
+  const auto part = [&](const char* cause) -> std::optional<Interval> {
+    const auto found = leak.find(cause);  // results of earlier releases have none
+    if (found == leak.end() || found->is_null()) return std::nullopt;
+    return Interval{number_of((*found)[0]), number_of((*found)[1])};
+  };
+  const Estimate estimate{area_mm2, part("numerical"), part("tissue"), part("execution")};
+  const std::optional<ErrorCause> cause = widest(estimate);
+  if (!cause) return with_error(area_mm2, number_of(leak.value("error_mm2", Json())), "mm2");
+  const Interval wide = *part(to_string(*cause));
+  const double half_mm2 = 0.5 * (wide.high - wide.low);
+  if (*cause == ErrorCause::Numerical && wide.low <= area_mm2 && area_mm2 <= wide.high)
+    return with_error(area_mm2, wide.high - area_mm2, "mm2");
+  return known_digits(area_mm2, half_mm2) + " mm2; " + known_digits(wide.low, half_mm2) + " to " +
+         known_digits(wide.high, half_mm2) + " mm2 by " + error_words(*cause) + " (5 to 95 %)";
+}
 
 double number_of(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "io/json/json_fwd.h"
 
@@ -10,6 +11,9 @@ namespace coapt {
 
 /// Of coapt.closure/2.
 void print_closure(std::ostream& out, const Json& closure);
+
+/// "45.7 ± 2.1 mm2", or the widest known part of its error: "46 mm2; 16 to 78 mm2 by what is not known of the tissue (5 to 95 %)".
+std::string leak_and_error(const Json& leak);
 
 /// NaN if it is null.
 double number_of(const Json& value);

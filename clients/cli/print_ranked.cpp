@@ -110,14 +110,17 @@ void print_model_draws(std::ostream& out, const Json& result) {
   const auto model = result.find("model_draws");
   if (model == result.end() || (*model)["before"].is_null()) return;
   const Json& leak = (*model)["before"]["leak_mm2"];
+  const Json tissue = result["before"]["leak"].value("tissue", Json());
+  const std::string unrepaired =
+      tissue.is_null() ? known(leak["mean"]) + " ± " + known(leak["sd"])
+                       : known(tissue[0]) + " to " + known(tissue[1]) + " (5 to 95 %)";
   print_words(
       out, "Model: ",
       counted((*model)["draws"].get<long>(), "draw") +
           (model->value("fit_drawn", false)       ? " of tissue and of what the fit left uncertain"
            : model->value("chordae_drawn", false) ? " of tissue and of chordae that were not seen"
                                                   : " of tissue and chordae") +
-          ", the same for all plans; unrepaired leak " + known(leak["mean"]) + " ± " +
-          known(leak["sd"]) + " mm2" +
+          ", the same for all plans; unrepaired leak " + unrepaired + " mm2" +
           (result["plans"].empty() ? "" : ". How likely a plan leaks mildly counts them"));
 }
 
@@ -156,6 +159,8 @@ void print_plan(std::ostream& out, const Json& plan) {
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
+  if (const auto leak = plan.find("leak"); leak != plan.end())  // not of earlier releases
+    print_words(out, "      ", "leak as planned: " + leak_and_error(*leak));
   print_fine(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
@@ -179,10 +184,8 @@ void print_ranked(std::ostream& out, const Json& result) {
   const Json &before = result["before"], &coaptation = before["coaptation"];
   const Json& plans = result["plans"];
   print_words(out, "Before: ",
-              "leak " +
-                  with_error(number_of(before["leak"]["area_mm2"]),
-                             number_of(before["leak"]["error_mm2"]), "mm2") +
-                  ", coaptation " + fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
+              "leak " + leak_and_error(before["leak"]) + ", coaptation " +
+                  fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
                   before["status"].get<std::string>() + ", " + crossing_words(before));
   if (const auto diagnosis = result.find("diagnosis");
       diagnosis != result.end() && !diagnosis->is_null())

@@ -145,12 +145,19 @@ Json durability_json(const RankedPlan& ranked) {
           {"durability_price", ranked.durability_price}};
 }
 
+Json leak_json(const RankedPlan& ranked) {
+  Json json = {{"area_mm2", ranked.measure.leak.area_mm2}};
+  json.update(to_json(ranked.leak));
+  return json;
+}
+
 Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   Json json = {{"rank", ranked.rank}};
   if (!ranked.name.empty()) json["name"] = ranked.name;
   json.update({{"plan", to_json(ranked.plan)},
                {"description", ranked.description},
+               {"leak", leak_json(ranked)},
                {"leak_mm2", statistics_json(region.leak_mm2)},
                {"cost", ranked.cost},
                {"cost_terms", terms_json(ranked.terms)},
@@ -215,6 +222,7 @@ Json before_json(const SearchResult& result) {
   const Evaluation& before = result.before;
   Json json = {{"status", to_string(before.status)}, {"crossing", before.crossing}};
   json.update(to_json(before.measure));
+  json["leak"].update(to_json(result.leak_before));
   json.update(opening_json(result.opening_before));
   return json;
 }

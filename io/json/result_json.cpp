@@ -144,14 +144,25 @@ Errors errors_from_json(const Json& list) {
   return errors;
 }
 
+Json to_json(const Estimate& estimate) {
+  const auto interval = [](const std::optional<Interval>& part) {
+    return part ? Json{part->low, part->high} : Json();
+  };
+  return {{"numerical", interval(estimate.numerical)},
+          {"tissue", interval(estimate.tissue)},
+          {"execution", interval(estimate.execution)}};
+}
+
 Json to_json(const Leak& leak, double error_mm2) {
   Json openings = Json::array();
   for (const LeakOpening& opening : leak.openings) openings.push_back(opening_json(opening));
-  return {
-      {"area_mm2", leak.area_mm2},
-      {"error_mm2", std::isfinite(error_mm2) ? Json(error_mm2) : Json()},
-      {"between_mm2", std::isfinite(leak.area_mm2) ? Json{leak.lower_mm2, leak.upper_mm2} : Json()},
-      {"openings", std::move(openings)}};
+  Json json = {{"area_mm2", leak.area_mm2},
+               {"error_mm2", std::isfinite(error_mm2) ? Json(error_mm2) : Json()}};
+  json.update(to_json(Estimate{leak.area_mm2, area_interval(leak.area_mm2, error_mm2)}));
+  json["between_mm2"] =
+      std::isfinite(leak.area_mm2) ? Json{leak.lower_mm2, leak.upper_mm2} : Json();
+  json["openings"] = std::move(openings);
+  return json;
 }
 
 Json to_json(const ValveMeasure& measure) {

@@ -8,6 +8,7 @@
 #include "core/closed/accurate_closure.h"
 #include "core/closed/mesh_convergence.h"
 #include "core/closure/closure.h"
+#include "core/metrics/estimate.h"
 #include "core/metrics/measure.h"
 #include "io/json/json.h"
 
@@ -21,7 +22,11 @@ Json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 Errors errors_from_json(const Json& list);
 Json to_json(const ValveMeasure& measure);
 
-/// {"area_mm2", "error_mm2", "between_mm2": [lower, upper], "openings": [{"area_mm2", "centroid_mm", "normal", "segments", "width_mm",
+/// {"numerical": [low, high], "tissue", "execution"}: what is known of how far a number may be off, from 5 to 95 %. What is not known is
+/// null.
+Json to_json(const Estimate& estimate);
+
+/// {"area_mm2", "error_mm2", and the members of an Estimate, "between_mm2": [lower, upper], "openings": [{"area_mm2", "centroid_mm", "normal", "segments", "width_mm",
 /// "outline_mm"}]}. What is not known is null.
 Json to_json(const Leak& leak, double error_mm2);
 

@@ -11,6 +11,7 @@
 #include "search/plans/model_closures.h"
 #include "search/plans/pareto.h"
 #include "search/plans/plan_key.h"
+#include "search/plans/plan_leak.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_option_table.h"
 
@@ -77,6 +78,8 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   result.draws_chordae = !result.draws_fit && evaluations.valve().drawn_chordae.has_value();
   result.model_closures = model.closures;
   if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
+  result.leak_before = leak_before(result.before.measure,
+                                   evaluations.before().measure.leak.area_mm2, fine.mesh, model);
 }
 
 /// None if too few for a round.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/closed/diagnosis.h"
+#include "core/metrics/estimate.h"
 #include "search/plans/durability.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/gates.h"
@@ -38,6 +39,8 @@ struct RankedPlan {
   std::shared_ptr<const ClosedValve> closed;
   Effort effort;
   RegionReport region;
+  /// As planned (measure.leak): numerical by the finer mesh where it was closed there, tissue by the draws, execution by the region.
+  Estimate leak{};
   std::optional<PlanOpening> opening{};    ///< none if openings were not asked for
   std::optional<Durability> durability{};  ///< with the evidence, or from the front
   double durability_price =
@@ -109,6 +112,7 @@ struct SearchResult {
   bool draws_chordae = false;  ///< each with chordae of its own: the valve's were never seen
   bool draws_fit = false;      ///< each with other values of what a fit left uncertain
   std::optional<ModelSpread> before_under_draws;
+  Estimate leak_before{};  ///< as RankedPlan::leak; no hand has touched it
   int model_closures = 0;  ///< made for these draws; `closures` does not count them
   /// Whether a ranked plan is acceptable.
   bool any_acceptable = false;

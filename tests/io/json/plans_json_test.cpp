@@ -70,6 +70,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
   const std::vector<std::string> expected = {"rank",
                                              "plan",
                                              "description",
+                                             "leak",
                                              "leak_mm2",
                                              "cost",
                                              "cost_terms",
@@ -108,6 +109,20 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "outlasting",
                                              "durability_price"};
   EXPECT_EQ(keys(scene()["plans"][0]), expected);
+}
+
+TEST(PlansJson, APlanStatesWhatIsKnownOfItsLeakApartByCause) {
+  SearchResult result = search_result();
+  result.plans[0].leak = {0.25, Interval{0.0, 0.5}, Interval{0.0, 7.5}, std::nullopt};
+  result.leak_before = {52.0, Interval{48.0, 55.0}, Interval{16.0, 78.0}, std::nullopt};
+  const Json json = written(to_json(result));
+  const Json& leak = json["plans"][0]["leak"];
+  EXPECT_EQ(leak["area_mm2"], json["plans"][0]["measure"]["leak_mm2"]);
+  EXPECT_EQ(leak["numerical"].dump(), "[0.0,0.5]");
+  EXPECT_EQ(leak["tissue"].dump(), "[0.0,7.5]");
+  EXPECT_TRUE(leak["execution"].is_null());
+  EXPECT_EQ(json["before"]["leak"]["numerical"].dump(), "[48.0,55.0]");
+  EXPECT_EQ(json["before"]["leak"]["tissue"].dump(), "[16.0,78.0]");
 }
 
 TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {

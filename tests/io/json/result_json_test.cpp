@@ -61,10 +61,12 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
   EXPECT_TRUE(result["coaptation_area_index"].is_number());
   EXPECT_EQ(result["notice"], kResearchNotice);
   EXPECT_EQ(result["version"], version());
-  EXPECT_EQ(result["leak"].dump(),
-            R"({"area_mm2":12.5,"error_mm2":null,"between_mm2":[12.0,13.0],"openings":[)"
-            R"({"area_mm2":12.5,"centroid_mm":[1.0,2.0,3.0],"normal":[0.0,0.0,1.0],)"
-            R"("segments":["P2","A2"],"width_mm":1.5,"outline_mm":[[4.0,5.0,6.0]]}]})");
+  EXPECT_EQ(
+      result["leak"].dump(),
+      R"({"area_mm2":12.5,"error_mm2":null,)"
+      R"("numerical":null,"tissue":null,"execution":null,"between_mm2":[12.0,13.0],"openings":[)"
+      R"({"area_mm2":12.5,"centroid_mm":[1.0,2.0,3.0],"normal":[0.0,0.0,1.0],)"
+      R"("segments":["P2","A2"],"width_mm":1.5,"outline_mm":[[4.0,5.0,6.0]]}]})");
   EXPECT_EQ(result["coaptation"]["sections"].size(), 9u);
 }
 
@@ -72,10 +74,13 @@ TEST(ResultJson, ALeakHasItsErrorAndWhatIsNotKnownIsNull) {
   ValveMeasure measure;
   measure.leak = {4.0, 3.5, 4.5, {}};
   measure.leak_error_mm2 = 2.5;
-  EXPECT_EQ(to_json(measure)["leak"].dump(),
-            R"({"area_mm2":4.0,"error_mm2":2.5,"between_mm2":[3.5,4.5],"openings":[]})");
+  EXPECT_EQ(
+      to_json(measure)["leak"].dump(),
+      R"({"area_mm2":4.0,"error_mm2":2.5,"numerical":[1.5,6.5],"tissue":null,"execution":null,)"
+      R"("between_mm2":[3.5,4.5],"openings":[]})");
   EXPECT_EQ(to_json(ValveMeasure{})["leak"].dump(),
-            R"({"area_mm2":null,"error_mm2":null,"between_mm2":null,"openings":[]})");
+            R"({"area_mm2":null,"error_mm2":null,)"
+            R"("numerical":null,"tissue":null,"execution":null,"between_mm2":null,"openings":[]})");
 }
 
 TEST(ResultJson, AnAccuracyIsWhatWasAskedAndHowItWasKept) {
