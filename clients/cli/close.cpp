@@ -21,13 +21,16 @@
 #include "core/repair/apply_plan.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
+#include "io/command_line/progress_bar.h"
 #include "io/exchange/import_files.h"
+#include "io/json/model_study_json.h"
 #include "io/json/opening_json.h"
 #include "io/json/result_json.h"
 #include "io/mesh/write_mesh.h"
 #include "io/picture/opening_picture.h"
 #include "io/picture/picture.h"
 #include "search/plans/gates.h"
+#include "search/studies/model_study.h"
 
 namespace coapt {
 namespace {
@@ -40,8 +43,26 @@ struct CloseArguments {
   ClosureOptions closure;
   std::optional<double> accuracy_mm2;
   ConvergeOption converge;
+  int draws = 0;
   bool json = false, open = false;
 };
+
+constexpr int kMostDraws = 1000;
+
+/// Adds the tissue's part of the leak's error, by as many draws as asked for.
+void add_tissue(const CloseArguments& arguments, const Valve& valve, const RepairPlan& plan,
+                const Valve& repaired, Json& json) {
+  ModelStudyOptions study;
+  study.draws = arguments.draws;
+  study.evaluate = closing_evaluator(arguments.closure, LeakBy::Surface);
+  if (!plan.steps.empty()) study.unrepaired = &valve;
+  const ProgressBar bar;
+  study.progress = [&](int done, int planned) { bar.show(done, planned, "draws"); };
+  const ModelStudy drawn = study_model(repaired, study);
+  const std::optional<Interval> tissue = tissue_interval(drawn);
+  json["leak"]["tissue"] = tissue ? Json{tissue->low, tissue->high} : Json();
+  json["tissue_draws"] = tissue_draws_json(drawn);
+}
 
 /// Prints coapt.closure/2; returns an exit code.
 int show(const CloseArguments& arguments, const Json& closure) {
@@ -82,11 +103,11 @@ int write_closed(const CloseArguments& arguments, const Valve& valve,
 /// A valve that is not mitral: closed and measured; no plans, no picture.
 int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
   if (is_given(arguments.plan) || is_given(arguments.material) || !arguments.picture.empty() ||
-      arguments.open || arguments.accuracy_mm2)
+      arguments.open || arguments.accuracy_mm2 || arguments.draws > 0)
     return report_errors(
         arguments.valve,
         {{ErrorCode::Unsupported, "/schema",
-          "is coapt.valve/2: plans, pictures, pressure, tissue, --open and --accuracy "
+          "is coapt.valve/2: plans, pictures, pressure, tissue, --open, --draws and --accuracy "
           "need a mitral valve (coapt.valve/1)"}});
   if (const int failed = check_output(arguments.closed)) return failed;
   const auto start = std::chrono::steady_clock::now();
@@ -150,6 +171,7 @@ int run(const CloseArguments& arguments) {
     for (std::string& warning : opening_warnings(*opened)) warnings.push_back(std::move(warning));
 
   auto json = closure_to_json(closed.valve, closure, closed.measure, seconds.count());
+  if (arguments.draws > 0) add_tissue(arguments, *valve, *plan, *repaired, json);
   if (finer) json["convergence"] = std::move(finer->json);
   if (opened) json["opening"] = opening_figures_json(*opened, opening_seconds.count());
   if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
@@ -187,6 +209,14 @@ void add_close(Command parent, int& status) {
   command
       .add_option("--closed", arguments->closed, "Write the closed leaflets (PLY, OBJ, STL or VTK)")
       .check({refuse_standard_output, "FILE"});
+  command
+      .add_option(
+          "--draws", arguments->draws,
+          "Also close it under so many draws of tissue and chordae, 64 for instance: where the "
+          "leak "
+          "lies by what the model does not know, weighed by what was observed (coapt observe)")
+      .check(number_from(0, kMostDraws))
+      .show_default();
   command.add_flag("--open", arguments->open,
                    "Also open the valve as in diastole: opening and mean gradient (coapt open)");
   command.add_flag("--json", arguments->json, "Print JSON");
@@ -200,13 +230,14 @@ void add_close(Command parent, int& status) {
       "  coapt close human-normal --pressure 60 --radial-extension 0.08\n"
       "  coapt close valve.json --accuracy 1\n"
       "  coapt close human-functional-mr --converge\n"
+      "  coapt close seen.json --draws 64\n"
       "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service =
-        service_of(command, arguments->server,
-                   {"--method", "--membrane", "--accuracy", "--open", "--converge", "--closed"});
+    const auto service = service_of(
+        command, arguments->server,
+        {"--method", "--membrane", "--accuracy", "--open", "--converge", "--closed", "--draws"});
     if (!service) {
       status = report_errors("close", service.errors());
     } else {

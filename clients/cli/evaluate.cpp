@@ -29,7 +29,7 @@ struct EvaluateArguments {
   std::vector<std::string> plans, rings;
   SearchOptions options;
   ServerOption server;
-  bool json = false, no_evidence = false;
+  bool json = false, no_evidence = false, draws_given = false;
 };
 
 /// Reads every plan, and each ring as one; returns an exit code.
@@ -158,7 +158,8 @@ int run(EvaluateArguments arguments) {
   if (const int failed = check_output(arguments.report)) return failed;
   arguments.options.evidence = !arguments.no_evidence;
   arguments.options.fine_levels = 0;  // as the service scores
-  arguments.options.model_draws = 0;
+  if (!arguments.draws_given && !valve->observed.empty())
+    arguments.options.model_draws = kConditionedDraws;
   SearchContext context{.cancelled = &interrupted};
   const auto store = use_store(arguments.store, *valve, arguments.options.closure, context);
   if (!store) return report_store_errors("evaluate", store.errors());
@@ -194,7 +195,8 @@ void add_evaluate(Command parent, int& status) {
       .one_at_a_time();
   command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
       .check({refuse_standard_output, "FILE"});
-  for (const char* name : {"threads", "region_points"})
+  arguments->options.model_draws = 0;  // as the service scores
+  for (const char* name : {"threads", "region_points", "model_draws"})
     add_search_option(command, name, arguments->options);
   add_store_option(command, arguments->store);
   command.add_flag("--no-evidence", arguments->no_evidence,
@@ -202,6 +204,8 @@ void add_evaluate(Command parent, int& status) {
   command.add_flag("--json", arguments->json, "Print JSON, as coapt plan does, with each \"file\"");
   add_server_option(command, arguments->server);
   command.footer(
+      "A valve of which something was observed (coapt observe) is closed under 64 draws unless "
+      "--model-draws says\notherwise.\n"
       "A service makes 500 closures at most, unless it was started with another limit: plans times "
       "--region-points, and the evidence.\n\n"
       "Examples:\n"
@@ -210,7 +214,9 @@ void add_evaluate(Command parent, int& status) {
       "  coapt plan valve.json --json > ranked.json; coapt evaluate valve.json ranked.json\n"
       "  coapt evaluate valve.json ring.json --region-points 65 --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--store", "--threads"});
+    const auto service =
+        service_of(command, arguments->server, {"--store", "--threads", "--model-draws"});
+    arguments->draws_given = command.has("--model-draws");
     if (!service) {
       status = report_errors("evaluate", service.errors());
     } else {

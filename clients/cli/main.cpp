@@ -23,6 +23,7 @@ void add_commands(Command app, int& status) {
   add_evaluate(app, status);
   add_export(app, status);
   add_fit(app, status);
+  add_observe(app, status);
   add_open(app, status);
   add_plan(app, status);
   add_population(app, status);

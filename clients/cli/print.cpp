@@ -79,6 +79,8 @@ void print_measure(std::ostream& out, const Json& measure) {
   }
   const Json& coaptation = measure["coaptation"];
   print_leak(out, measure["leak"]);
+  if (const auto draws = measure.find("tissue_draws"); draws != measure.end())
+    row(out, "") << "over " << draws_words(*draws) << '\n';
   const Json& sections = coaptation["sections"];
   const auto touching = std::count_if(sections.begin(), sections.end(), [](const Json& section) {
     return section["contact"].get<bool>();
@@ -170,6 +172,17 @@ std::string leak_and_error(const Json& leak) {
     return with_error(area_mm2, wide.high - area_mm2, "mm2");
   return known_digits(area_mm2, half_mm2) + " mm2; " + known_digits(wide.low, half_mm2) + " to " +
          known_digits(wide.high, half_mm2) + " mm2 by " + error_words(*cause) + " (5 to 95 %)";
+}
+
+std::string draws_words(const Json& draws) {
+  const std::string words = counted(draws["draws"].get<long>(), "draw") + " of tissue and chordae";
+  if (draws["observed"].empty()) return words;
+  if (draws["contradicts_model"].get<bool>())
+    return words +
+           ". What was observed contradicts the model: no draw lies within three standard "
+           "deviations of it, so it weighs none";
+  return words + ", weighed by what was observed of the valve: they say as much as " +
+         fixed(number_of(draws["effective"]), 0) + " that weigh alike";
 }
 
 double number_of(const Json& value) {

@@ -15,6 +15,10 @@ void print_closure(std::ostream& out, const Json& closure);
 /// "45.7 ± 2.1 mm2", or the widest known part of its error: "46 mm2; 16 to 78 mm2 by what is not known of the tissue (5 to 95 %)".
 std::string leak_and_error(const Json& leak);
 
+/// Of "draws", "untrusted", "observed", "effective" and "contradicts_model": "64 draws of tissue and chordae, weighed by what was observed:
+/// as many as 23 that weigh alike".
+std::string draws_words(const Json& draws);
+
 /// NaN if it is null.
 double number_of(const Json& value);
 

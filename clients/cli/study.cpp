@@ -231,6 +231,7 @@ void add_study(Command parent, int& status) {
   add_anchor_question(study, status);
   add_generality(study, status);
   add_study_imports(study, status);
+  add_study_information(study, status);
   add_study_model(study, status);
   add_study_physiology(study, status);
   add_study_population(study, status);

@@ -54,7 +54,13 @@ TableRows parameters_table(const ModelStudy& study) {
 
 std::string lead_of(const ModelStudy& study) {
   return counted(static_cast<long>(study.draws.size()), "draw") + " of the model's own values, " +
-         std::to_string(study.untrusted) + " not trusted and left out.";
+         std::to_string(study.untrusted) + " not trusted and left out." +
+         (study.observed.empty() ? ""
+          : study.contradicts
+              ? " What was observed contradicts the model: no draw lies within three standard "
+                "deviations of it, so it weighs none."
+              : " They are weighed by what was observed of the valve and say as much as " +
+                    fixed(study.effective, 0) + " that weigh alike.");
 }
 
 std::string decides_words(const ModelStudy& study) {
@@ -102,6 +108,8 @@ int run(StudyModelArguments arguments) {
     return exit_code::kFailure;
   }
   arguments.study.cancelled = &interrupted;
+  if (!given.plan.steps.empty() && !given.valve.observed.empty())
+    arguments.study.unrepaired = &given.valve;
   const auto study_it = [&] {
     const ProgressBar bar;
     arguments.study.progress = [&](int done, int planned) {

@@ -28,4 +28,7 @@ AreaPrecision precision_of(const Valve& valve, const ClosureResult& closure);
 /// mitral valves of 325 to 5,200 triangles.
 double area_error_mm2(double area_mm2, const AreaPrecision& precision);
 
+/// Standard deviations that this error is, where it is taken as normal.
+inline constexpr double kAreaErrorSds = 1.645;
+
 }  // namespace coapt

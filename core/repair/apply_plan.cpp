@@ -198,6 +198,7 @@ bool needs_coordinates(const RepairPlan& plan) {
 
 Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
   Valve repaired = valve;
+  if (!plan.steps.empty()) repaired.observed.clear();  // of the valve before its repair
   ProblemList problems;
   // Leaflet coordinates belong to the anatomy: of the valve before its repair.
   const LeafletCoordinates coordinates =

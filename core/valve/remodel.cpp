@@ -276,6 +276,7 @@ Expected<Valve> remodel(const Valve& valve, const Remodelling& change) {
   if (!problems.empty()) return std::move(problems).take();
 
   Valve remodelled = valve;
+  remodelled.observed.clear();  // of another state of the valve
   if (change.growth_percent != 0.0)
     grow(annulus_frame(valve, AnnulusAxis::SaddlePeak).origin_mm,
          1.0 + change.growth_percent / 100.0, remodelled);

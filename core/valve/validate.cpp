@@ -2,8 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "core/valve/validate_parts.h"
 
@@ -218,6 +221,19 @@ void check_drawn(const Valve& valve, ProblemList& problems) {
     check_range(problems, "/drawn_chordae/seed", valve.drawn_chordae->seed, {0, 2147483647});
 }
 
+void check_observed(const Valve& valve, ProblemList& problems) {
+  std::array<bool, kObservedFigures> taken{};
+  for (const Observation& seen : valve.observed) {
+    const ObservedRow& row = row_of(seen.figure);
+    const std::string path = std::string("/observed/") + row.name,
+                      unit = std::string(" ") + row.unit;
+    check_range(problems, path + "/value", seen.value, {row.least, row.most}, unit.c_str());
+    check_range(problems, path + "/sd", seen.sd, {row.least_sd, row.most_sd}, unit.c_str());
+    if (std::exchange(taken[static_cast<std::size_t>(seen.figure)], true))
+      problems.add(ErrorCode::BadReference, path, "is given twice, must be given once");
+  }
+}
+
 }  // namespace
 
 ProblemList problems_in(const Valve& valve) {
@@ -237,6 +253,7 @@ ProblemList problems_in(const Valve& valve) {
   check_patient(valve, problems);
   check_drawn(valve, problems);
   check_fitted(valve, problems);
+  check_observed(valve, problems);
   return problems;
 }
 

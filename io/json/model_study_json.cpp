@@ -35,7 +35,40 @@ Json to_json(const ModelStudy& study, const std::string& valve_name) {
                                                  {"crossing", study.as_it_is.crossing},
                                                  {"draws", study.draws.size()},
                                                  {"untrusted", study.untrusted},
+                                                 {"observed", observed_names(study.observed)},
+                                                 {"effective", study.effective},
+                                                 {"contradicts_model", study.contradicts},
                                                  {"leak", leak_json(study.leak)}});
+}
+
+Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
+             const std::string& valve_name) {
+  const ValveMeasure& measure = study.as_it_is.measure;
+  Json list = Json::array();
+  for (const InformationRow& row : rows)
+    list.push_back({{"measurement", row.measurement},
+                    {"share_removed", row.share_removed},
+                    {"remaining_mm2", row.remaining_mm2}});
+  Json leak = {{"area_mm2", measure.leak.area_mm2}, {"sd_mm2", study.leak.sd_mm2}};
+  leak.update(to_json(Estimate{measure.leak.area_mm2,
+                               area_interval(measure.leak.area_mm2, measure.leak_error_mm2),
+                               tissue_interval(study)}));
+  return result_document("coapt.information/1", {{"valve", valve_name},
+                                                 {"draws", study.draws.size()},
+                                                 {"untrusted", study.untrusted},
+                                                 {"observed", observed_names(study.observed)},
+                                                 {"effective", study.effective},
+                                                 {"contradicts_model", study.contradicts},
+                                                 {"leak", std::move(leak)},
+                                                 {"rows", std::move(list)}});
+}
+
+Json tissue_draws_json(const ModelStudy& study) {
+  return {{"draws", study.draws.size()},
+          {"untrusted", study.untrusted},
+          {"observed", observed_names(study.observed)},
+          {"effective", study.effective},
+          {"contradicts_model", study.contradicts}};
 }
 
 }  // namespace coapt

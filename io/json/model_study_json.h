@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/json/json.h"
+#include "search/studies/information.h"
 #include "search/studies/model_study.h"
 
 namespace coapt {
@@ -11,5 +13,12 @@ namespace coapt {
 /// coapt.model_study/2: "leak" over the draws, with its "parameters". What is not known is
 /// null.
 Json to_json(const ModelStudy& study, const std::string& valve_name);
+
+/// coapt.information/1: "leak" with its error, and rows[] of "measurement", "share_removed", "remaining_mm2", most telling first.
+Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
+             const std::string& valve_name);
+
+/// {"draws", "untrusted", "observed", "effective", "contradicts_model"}: what a tissue interval is of.
+Json tissue_draws_json(const ModelStudy& study);
 
 }  // namespace coapt

@@ -110,11 +110,16 @@ Json spread_json(const std::optional<ModelSpread>& spread) {
 }
 
 Json model_json(const SearchResult& result) {
-  return {{"draws", result.model_draws},
-          {"before", spread_json(result.before_under_draws)},
-          {"closures", result.model_closures},
-          {"chordae_drawn", result.draws_chordae},
-          {"fit_drawn", result.draws_fit}};
+  Json json = {{"draws", result.model_draws},
+               {"before", spread_json(result.before_under_draws)},
+               {"closures", result.model_closures},
+               {"chordae_drawn", result.draws_chordae},
+               {"fit_drawn", result.draws_fit}};
+  if (result.observed.empty()) return json;
+  json["observed"] = observed_names(result.observed);
+  json["effective"] = result.effective_draws;
+  json["contradicts_model"] = result.observed_contradicts;
+  return json;
 }
 
 /// Nulls where it was not opened, or did not come to rest.

@@ -122,6 +122,12 @@ const std::vector<std::string>& not_modelled() {
   return kSentences;
 }
 
+Json observed_names(const std::vector<Observation>& observed) {
+  Json names = Json::array();
+  for (const Observation& seen : observed) names.push_back(row_of(seen.figure).name);
+  return names;
+}
+
 Json to_json(const Errors& errors) {
   Json list = Json::array();
   for (const Error& error : errors) {

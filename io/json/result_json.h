@@ -17,6 +17,9 @@ namespace coapt {
 /// What coapt leaves out, a sentence each.
 const std::vector<std::string>& not_modelled();
 
+/// ["leak_mm2", ...]: which figures of the valve were observed.
+Json observed_names(const std::vector<Observation>& observed);
+
 Json to_json(const Errors& errors);  ///< [{"code","path","message"}, ...]
 /// Of such a list; a code that is not known becomes Unsupported.
 Errors errors_from_json(const Json& list);

@@ -200,6 +200,25 @@ DrawnChordae read_drawn_chordae(const JsonPlace& place) {
   return drawn;
 }
 
+std::vector<Observation> read_observed(const JsonPlace& place) {
+  std::vector<Observation> observed;
+  const auto read_one = [&](ObservedFigure figure) {
+    return [&observed, figure](const JsonPlace& one) {
+      Observation seen{figure, 0.0, 0.0, {}};
+      read_fields(one, {{"value", into(seen.value, read_number)},
+                        {"sd", into(seen.sd, read_number)},
+                        {"source", into(seen.source, read_string), false}});
+      observed.push_back(std::move(seen));
+    };
+  };
+  read_fields(
+      place,
+      {{row_of(ObservedFigure::Leak).name, read_one(ObservedFigure::Leak), false},
+       {row_of(ObservedFigure::TentingArea).name, read_one(ObservedFigure::TentingArea), false},
+       {row_of(ObservedFigure::WidestGap).name, read_one(ObservedFigure::WidestGap), false}});
+  return observed;
+}
+
 FittedValues read_fitted(const JsonPlace& place) {
   FittedValues fitted;
   std::vector<std::vector<double>> rows;
@@ -253,6 +272,7 @@ Valve read_form(const JsonPlace& root) {
                {"chordae", list_into(valve.chordae, read_chorda)},
                {"ties", list_into(valve.ties, read_tie), false},
                {"drawn_chordae", into(valve.drawn_chordae, read_drawn_chordae), false},
+               {"observed", into(valve.observed, read_observed), false},
                {"fit", into(valve.fitted, read_fitted), false},
                {"patient_frame", into(valve.patient, read_patient_frame), false}});
   return valve;

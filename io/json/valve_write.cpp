@@ -187,6 +187,11 @@ std::string write_valve(const Valve& valve) {
   if (valve.drawn_chordae)
     json["drawn_chordae"] = {{"seed", valve.drawn_chordae->seed},
                              {"tips_given", valve.drawn_chordae->tips_given}};
+  for (const Observation& seen : valve.observed) {
+    Json& one = json["observed"][row_of(seen.figure).name];
+    one = {{"value", seen.value}, {"sd", seen.sd}};
+    if (!seen.source.empty()) one["source"] = seen.source;
+  }
   if (valve.fitted) json["fit"] = fitted_json(*valve.fitted);
   if (valve.patient) json["patient_frame"] = patient_frame_json(*valve.patient);
   std::string text = "{";

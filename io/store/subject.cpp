@@ -28,6 +28,7 @@ std::string text_of(const Valve& valve, const ClosureOptions& options) {
   Valve nameless = valve;
   nameless.name.clear();
   nameless.provenance.clear();
+  nameless.observed.clear();  // weighs closures, changes none
   std::string text = write_valve(nameless) + values_of(options).dump() + '\n';
   return text + std::string(version()) + ' ' + std::to_string(kClosureRevision);
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "core/metrics/mean_and_sd.h"
 #include "core/presets/synthetic_chordae.h"
@@ -25,27 +28,39 @@ PlanClosure refused() {
   return closure;
 }
 
-/// The unrepaired valve in each draw: with other values where a fit left them uncertain, with other chordae where its own were
-/// never seen, else as it is. Empty where such a valve cannot be made.
-std::vector<std::optional<Valve>> drawn_valves(const PlanEvaluations& evaluations, int draws) {
-  std::vector<std::optional<Valve>> valves(static_cast<std::size_t>(draws), evaluations.valve());
+/// One draw: tissue by shares, and the unrepaired valve with other values where a fit left them uncertain, with other chordae where
+/// its own were never seen, else as it is; empty where such a valve cannot be made.
+struct Draw {
+  std::vector<double> shares;
+  std::optional<Valve> valve;
+};
+
+/// `count` draws, the block's own.
+std::vector<Draw> drawn(const PlanEvaluations& evaluations, int count, int block) {
   const Valve& valve = evaluations.valve();
-  if (!valve.fitted && !valve.drawn_chordae) return valves;
-  const std::vector<std::vector<double>> shares =
-      valve.fitted
-          ? latin_hypercube(draws, static_cast<int>(valve.fitted->parameters.size()), kFitSeed)
-          : std::vector<std::vector<double>>{};
-  const auto drawn = [&](int draw) {
-    if (valve.fitted) return with_fitted_draw(valve, shares[static_cast<std::size_t>(draw)]);
-    return redrawn_chordae(valve,
-                           static_cast<int>((valve.drawn_chordae->seed + 1LL + draw) & kMostSeed));
-  };
-  for_each_index(draws, evaluations.threads(), [&](int draw) {
+  const auto own = static_cast<std::uint64_t>(2 * block);
+  const std::vector<std::vector<double>> shares = model_draws(count, kSeed + own);
+  const std::vector<std::vector<double>> fitted =
+      valve.fitted ? latin_hypercube(count, static_cast<int>(valve.fitted->parameters.size()),
+                                     kFitSeed + own)
+                   : std::vector<std::vector<double>>{};
+  std::vector<Draw> draws(static_cast<std::size_t>(count));
+  for_each_index(count, evaluations.threads(), [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    draws[at].shares = shares[at];
+    if (!valve.fitted && !valve.drawn_chordae) {
+      draws[at].valve = valve;
+      return;
+    }
     if (evaluations.cancelled()) return;
-    const Expected<Valve> other = drawn(draw);
-    valves[static_cast<std::size_t>(draw)] = other ? std::optional(*other) : std::nullopt;
+    const long long seed =
+        valve.drawn_chordae ? valve.drawn_chordae->seed + 1LL + block * count + i : 0;
+    const Expected<Valve> other = valve.fitted
+                                      ? with_fitted_draw(valve, fitted[at])
+                                      : redrawn_chordae(valve, static_cast<int>(seed & kMostSeed));
+    if (other) draws[at].valve = *other;
   });
-  return valves;
+  return draws;
 }
 
 /// The plan, or none, on a valve with the material of a draw.
@@ -58,43 +73,98 @@ std::optional<Valve> planned(const std::optional<Valve>& valve, const PlanRecord
   return drawn ? std::optional(*drawn) : std::nullopt;
 }
 
+/// The unrepaired valve in a draw.
+struct Before {
+  PlanClosure closure;
+  double thickness_mm = 0.0;
+  std::optional<ModelFigures> figures = {};  ///< where something was observed, of one that closes
+};
+
+/// None if the search was cancelled before.
+std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
+                                                const std::vector<Draw>& draws) {
+  const ClosedPlan start = evaluations.closed_before();
+  std::vector<std::optional<Before>> all(draws.size());
+  for_each_index(static_cast<int>(draws.size()), evaluations.threads(), [&](int i) {
+    if (evaluations.cancelled()) return;
+    const auto at = static_cast<std::size_t>(i);
+    all[at] = Before{refused()};
+    const std::optional<Valve> valve = planned(draws[at].valve, nullptr, draws[at].shares);
+    if (!valve) return;
+    const ClosedPlan closed = evaluations.evaluate(*valve, start.closure.get());
+    all[at]->closure = plan_closure(closed.evaluation);
+    all[at]->thickness_mm = valve->tissue.thickness_mm;
+    if (evaluations.valve().observed.empty() || !trusted(closed.evaluation)) return;
+    all[at]->figures = model_figures(with_leak_surface(*valve, closed).evaluation.measure);
+  });
+  return all;
+}
+
 }  // namespace
 
 ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                                int draws) {
+                                int asked) {
   ModelClosures model;
-  if (draws == 0) return model;
+  if (asked == 0) return model;
+  const std::vector<Observation>& observed = evaluations.valve().observed;
+  const int draws = observed.empty() ? asked : std::max(asked, kConditionedDraws);
   model.draws = draws;
-  const std::vector<std::vector<double>> shares = model_draws(draws, kSeed);
-  const int count = static_cast<int>(plans.size()) + 1;  // the last: no repair
-  const std::vector<std::optional<Valve>> valves = drawn_valves(evaluations, draws);
+  std::vector<Draw> pool;
+  std::vector<Before> before;
+  Conditioning found;
+  for (int block = 0; block < (observed.empty() ? 1 : kMostBlocks); ++block) {
+    std::vector<Draw> more = drawn(evaluations, draws, block);
+    const std::vector<std::optional<Before>> closed = close_before(evaluations, more);
+    for (const std::optional<Before>& one : closed) {
+      if (!one) return model;  // cancelled
+      before.push_back(*one);
+      ++model.closures;
+    }
+    std::move(more.begin(), more.end(), std::back_inserter(pool));
+    std::vector<std::optional<ModelFigures>> figures;
+    for (const Before& one : before) figures.push_back(one.figures);
+    found = condition(observed, figures);
+    if (found.effective >= kLeastEffective && !found.contradicts) break;
+  }
+  model.pool = static_cast<int>(pool.size());
+  model.contradicts = found.contradicts;
+  model.effective = observed.empty() ? draws : found.effective;
+  // Draws that are not to be trusted weigh nothing; where none is, or nothing is weighed, the first ones stand.
+  const bool weighed = !observed.empty() && !found.contradicts && found.effective > 0.0;
+  std::vector<int> picked(static_cast<std::size_t>(draws));
+  std::iota(picked.begin(), picked.end(), 0);
+  if (weighed) picked = resampled(found.weights, draws);
+  std::vector<int> distinct = picked;  // in order
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+
   std::vector<ClosedPlan> starts;
   for (const PlanRecord* plan : plans) starts.push_back(evaluations.closed(*plan));
-  starts.push_back(evaluations.closed_before());
-  std::vector<double> thickness_mm(draws);
-  std::vector<std::optional<PlanClosure>> closures(static_cast<std::size_t>(count) * draws);
-  for_each_index(count * draws, evaluations.threads(), [&](int i) {
+  const int count = static_cast<int>(plans.size()), each = static_cast<int>(distinct.size());
+  std::vector<std::optional<PlanClosure>> closures(static_cast<std::size_t>(count) *
+                                                   distinct.size());
+  for_each_index(count * each, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
-    const PlanRecord* plan = i / draws == count - 1 ? nullptr : plans[i / draws];
-    const std::optional<Valve> drawn = planned(valves[i % draws], plan, shares[i % draws]);
-    if (drawn && plan == nullptr) thickness_mm[i % draws] = drawn->tissue.thickness_mm;
+    const Draw& draw = pool[static_cast<std::size_t>(distinct[i % each])];
+    const std::optional<Valve> valve = planned(draw.valve, plans[i / each], draw.shares);
     closures[i] =
-        drawn
-            ? plan_closure(evaluations.evaluate(*drawn, starts[i / draws].closure.get()).evaluation)
+        valve
+            ? plan_closure(evaluations.evaluate(*valve, starts[i / each].closure.get()).evaluation)
             : refused();
   });
   for (const auto& closure : closures) model.closures += closure.has_value();
-  if (model.closures < std::ssize(closures)) return model;
-  for (int i = 0; i < count; ++i) {
-    std::vector<PlanClosure>& by_draw = i + 1 == count ? model.before : model.plans[plans[i]];
-    for (int draw = 0; draw < draws; ++draw) by_draw.push_back(*closures[i * draws + draw]);
-  }
-  for (int draw = 0; draw < draws; ++draw) {
+  if (std::any_of(closures.begin(), closures.end(), [](const auto& one) { return !one; }))
+    return model;
+  for (const int draw : picked) {
+    const auto at = static_cast<int>(std::lower_bound(distinct.begin(), distinct.end(), draw) -
+                                     distinct.begin());
+    const Before& own = before[static_cast<std::size_t>(draw)];
+    model.before.push_back(own.closure);
+    for (int i = 0; i < count; ++i)
+      model.plans[plans[i]].push_back(*closures[static_cast<std::size_t>(i * each + at)]);
     CostContext& there = model.contexts.emplace_back(evaluations.context());
-    const PlanClosure& before = model.before[draw];
-    there.thickness_mm = thickness_mm[draw];
+    there.thickness_mm = own.thickness_mm;
     there.tension_before_n =
-        trusted(before) ? before.tension_max_n : std::numeric_limits<double>::infinity();
+        trusted(own.closure) ? own.closure.tension_max_n : std::numeric_limits<double>::infinity();
   }
   return model;
 }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "search/conditioning.h"
 #include "search/plans/plan_evaluations.h"
 
 namespace coapt {
@@ -27,6 +28,12 @@ struct ModelSpread {
 
 struct ModelClosures {
   int draws = 0;  ///< asked for
+  /// Where something was observed of the valve (Valve::observed): the draws below are kConditionedDraws or more, picked from `pool`
+  /// as they weigh, so that they weigh alike; one may be there several times.
+  int pool = 0;
+  double effective =
+      0.0;  ///< Conditioning::effective of the pool; as many as draws where nothing was observed
+  bool contradicts = false;  ///< what was observed contradicts the model: the draws are not weighed
   /// By draw; empty without draws, or if the search was cancelled before.
   std::vector<PlanClosure> before;
   std::vector<CostContext> contexts;  ///< of costs there: as thick, as tense unrepaired
@@ -34,9 +41,9 @@ struct ModelClosures {
   int closures = 0;  ///< made; SearchResult::closures does not count them
 };
 
-/// On all threads; a search that is cancelled makes no more, one out of time makes all.
+/// On all threads; a search that is cancelled makes no more, one out of time makes all. Without observations as many draws as asked for.
 ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                                int draws);
+                                int asked);
 
 ModelSpread model_spread(const std::vector<PlanClosure>& by_draw);
 

@@ -8,11 +8,6 @@
 #include "core/metrics/area_error.h"
 
 namespace coapt {
-namespace {
-
-constexpr double kErrorsAreNinety = 1.645;  // nine of ten areas lie within their error
-
-}  // namespace
 
 PlanClosure plan_closure(const Evaluation& evaluation) {
   const ValveMeasure& measure = evaluation.measure;
@@ -32,7 +27,7 @@ bool trusted(const PlanClosure& closure) {
 
 double probability_mild(double leak_mm2, int triangles) {
   const double leak = std::max(0.0, leak_mm2);
-  const double sd = area_error_mm2(leak, {.triangles = triangles}) / kErrorsAreNinety;
+  const double sd = area_error_mm2(leak, {.triangles = triangles}) / kAreaErrorSds;
   return 0.5 * std::erfc((leak - kMildLeak_mm2) / (sd * std::numbers::sqrt2));
 }
 

@@ -41,7 +41,7 @@ Estimate plan_leak(const PlanRecord& plan, const ValveMeasure& measure, int node
       numerical(measure, finer == fine.plans.end() ? nullptr : &finer->second, fine.mesh.triangles);
   const PlanClosure& own = plan.closures.at(0);
   if (!trusted(own)) return leak;
-  if (const auto drawn = model.plans.find(&plan); drawn != model.plans.end())
+  if (const auto drawn = model.plans.find(&plan); drawn != model.plans.end() && !model.contradicts)
     leak.tissue = changed(addresses(drawn->second), own.leak_mm2, leak.value);
   std::vector<const PlanClosure*> region;
   for (int node = 0; node < nodes; ++node) region.push_back(&plan.closures.at(node));
@@ -53,7 +53,8 @@ Estimate leak_before(const ValveMeasure& before, double estimated_mm2, const Fin
                      const ModelClosures& model) {
   Estimate leak{before.leak.area_mm2};
   leak.numerical = numerical(before, fine.before ? &*fine.before : nullptr, fine.triangles);
-  leak.tissue = changed(addresses(model.before), estimated_mm2, leak.value);
+  if (!model.contradicts)
+    leak.tissue = changed(addresses(model.before), estimated_mm2, leak.value);
   return leak;
 }
 

@@ -78,6 +78,9 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   result.draws_chordae = !result.draws_fit && evaluations.valve().drawn_chordae.has_value();
   result.model_closures = model.closures;
   if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
+  if (model.draws > 0) result.observed = evaluations.valve().observed;
+  result.effective_draws = model.effective;
+  result.observed_contradicts = model.contradicts;
   result.leak_before = leak_before(result.before.measure,
                                    evaluations.before().measure.leak.area_mm2, fine.mesh, model);
 }

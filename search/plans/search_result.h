@@ -112,8 +112,11 @@ struct SearchResult {
   bool draws_chordae = false;  ///< each with chordae of its own: the valve's were never seen
   bool draws_fit = false;      ///< each with other values of what a fit left uncertain
   std::optional<ModelSpread> before_under_draws;
-  Estimate leak_before{};  ///< as RankedPlan::leak; no hand has touched it
-  int model_closures = 0;  ///< made for these draws; `closures` does not count them
+  std::vector<Observation> observed{};  ///< that the draws were weighed by
+  double effective_draws = 0.0;         ///< see ModelClosures::effective
+  bool observed_contradicts = false;    ///< the model: the draws are not weighed
+  Estimate leak_before{};               ///< as RankedPlan::leak; no hand has touched it
+  int model_closures = 0;               ///< made for these draws; `closures` does not count them
   /// Whether a ranked plan is acceptable.
   bool any_acceptable = false;
   /// Of the search, at one closure a plan.

@@ -1,8 +1,11 @@
 #include "search/studies/model_study.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -18,51 +21,119 @@ ModelUncertainty uncertainty(double as_it_is_mm2, const std::vector<ModelStudyDr
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ModelUncertainty found{as_it_is_mm2, nan, nan, nan, nan, {}};
   std::vector<std::vector<double>> shares;
-  std::vector<double> areas;
+  std::vector<double> areas, weights;
   for (const ModelStudyDraw& draw : draws) {
     if (!draw.trusted) continue;
     shares.push_back(draw.shares);
     areas.push_back(draw.leak_mm2);
+    weights.push_back(draw.weight);
   }
   if (areas.empty()) return found;
-  const auto [mean, sd] = mean_and_sd(areas);
-  found.mean_mm2 = mean;
-  found.sd_mm2 = sd;
   found.decided_by = sobol_indices(shares, areas);
-  found.p5_mm2 = quantile(areas, 0.05);
-  found.p95_mm2 = quantile(areas, 0.95);
+  const bool alike =
+      std::adjacent_find(weights.begin(), weights.end(), std::not_equal_to<>()) == weights.end();
+  if (alike) {
+    weights.clear();
+    const auto [mean, sd] = mean_and_sd(areas);
+    found.mean_mm2 = mean;
+    found.sd_mm2 = sd;
+  } else {
+    found.mean_mm2 = std::inner_product(areas.begin(), areas.end(), weights.begin(), 0.0);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      squares += weights[i] * std::pow(areas[i] - found.mean_mm2, 2);
+    found.sd_mm2 = std::sqrt(squares);
+  }
+  found.p5_mm2 = quantile(areas, weights, 0.05);
+  found.p95_mm2 = quantile(areas, weights, 0.95);
   return found;
+}
+
+void take_figures(const ValveMeasure& measure, ModelStudyDraw& draw) {
+  draw.figures = model_figures(measure);
+  draw.closed_shape = {measure.tenting_height_mm, measure.tenting_area_mm2,
+                       measure.coaptation.height_mean_mm};
+}
+
+/// A draw of the valve, and of the one that was observed where that is another.
+ModelStudyDraw closed_draw(const Valve& valve, const std::vector<double>& shares,
+                           const Evaluator& evaluate, const ModelStudyOptions& options) {
+  ModelStudyDraw draw{shares, false, 0.0};
+  const Expected<Valve> drawn = with_model(valve, shares);
+  if (!drawn) return draw;
+  const Evaluation evaluation = evaluate(*drawn, nullptr).evaluation;
+  draw.trusted = trusted(evaluation);
+  draw.leak_mm2 = evaluation.measure.leak.area_mm2;
+  if (options.unrepaired == nullptr) {
+    if (draw.trusted) take_figures(evaluation.measure, draw);
+    return draw;
+  }
+  const Expected<Valve> before = with_model(*options.unrepaired, shares);
+  if (!before) return draw;
+  const Evaluation seen = evaluate(*before, nullptr).evaluation;
+  if (trusted(seen)) take_figures(seen.measure, draw);
+  return draw;
+}
+
+/// Draws of the next block; those closed before it was cancelled, in order.
+void add_block(const Valve& valve, int block, const Evaluator& evaluate,
+               const ModelStudyOptions& options, std::vector<ModelStudyDraw>& all) {
+  const std::vector<std::vector<double>> shares =
+      model_draws(options.draws, options.seed + static_cast<std::uint64_t>(block));
+  std::vector<std::optional<ModelStudyDraw>> draws(shares.size());
+  std::mutex mutex;
+  int done = block * options.draws;
+  for_each_index(options.draws, options.threads, [&](int i) {
+    if (options.cancelled != nullptr && options.cancelled->load()) return;
+    const auto at = static_cast<std::size_t>(i);
+    draws[at] = closed_draw(valve, shares[at], evaluate, options);
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++done;
+    if (options.progress) options.progress(done, (block + 1) * options.draws);
+  });
+  for (std::optional<ModelStudyDraw>& draw : draws)
+    if (draw) all.push_back(*std::move(draw));
+}
+
+/// Weighs the draws by what was observed; whether they are enough.
+bool weigh(ModelStudy& study) {
+  std::vector<std::optional<ModelFigures>> figures;
+  for (const ModelStudyDraw& draw : study.draws)
+    figures.push_back(!draw.trusted            ? std::nullopt
+                      : study.observed.empty() ? std::optional(ModelFigures{})
+                                               : draw.figures);
+  const Conditioning found = condition(study.observed, figures);
+  for (std::size_t i = 0; i < study.draws.size(); ++i) study.draws[i].weight = found.weights[i];
+  study.effective = found.effective;
+  study.contradicts = found.contradicts;
+  return found.effective >= kLeastEffective && !found.contradicts;
 }
 
 }  // namespace
 
+std::optional<Interval> tissue_interval(const ModelStudy& study) {
+  if (study.contradicts) return std::nullopt;
+  std::vector<double> areas, weights;
+  for (const ModelStudyDraw& draw : study.draws) {
+    if (!draw.trusted) continue;
+    areas.push_back(draw.leak_mm2);
+    weights.push_back(draw.weight);
+  }
+  return sampled_interval(areas, weights);
+}
+
 ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
   const Evaluator evaluate =
       options.evaluate ? options.evaluate : closing_evaluator({}, LeakBy::Surface);
-  const std::vector<std::vector<double>> shares = model_draws(options.draws, options.seed);
-  std::vector<std::optional<ModelStudyDraw>> draws(shares.size());
   ModelStudy study;
+  study.observed = options.unrepaired != nullptr ? options.unrepaired->observed : valve.observed;
   study.as_it_is = evaluate(valve, nullptr).evaluation;
-  std::mutex mutex;
-  int done = 0;
-  for_each_index(options.draws, options.threads, [&](int i) {
-    if (options.cancelled != nullptr && options.cancelled->load()) return;
-    ModelStudyDraw draw{shares[i], false, 0.0};
-    if (const Expected<Valve> drawn = with_model(valve, shares[i])) {
-      const Evaluation evaluation = evaluate(*drawn, nullptr).evaluation;
-      draw.trusted = trusted(evaluation);
-      draw.leak_mm2 = evaluation.measure.leak.area_mm2;
-    }
-    draws[i] = std::move(draw);
-    const std::lock_guard<std::mutex> lock(mutex);
-    ++done;
-    if (options.progress) options.progress(done, options.draws);
-  });
-  for (std::optional<ModelStudyDraw>& draw : draws)
-    if (draw) {
-      study.untrusted += !draw->trusted;
-      study.draws.push_back(*std::move(draw));
-    }
+  const int blocks = study.observed.empty() ? 1 : kMostBlocks;
+  for (int block = 0; block < blocks; ++block) {
+    add_block(valve, block, evaluate, options, study.draws);
+    if (weigh(study) || (options.cancelled != nullptr && options.cancelled->load())) break;
+  }
+  for (const ModelStudyDraw& draw : study.draws) study.untrusted += !draw.trusted;
   study.leak = uncertainty(study.as_it_is.measure.leak.area_mm2, study.draws);
   return study;
 }

@@ -2,12 +2,16 @@
 // material (model_draw.h), and which property decides.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/metrics/estimate.h"
+#include "search/conditioning.h"
 #include "search/evaluator.h"
 #include "search/studies/sobol_indices.h"
 
@@ -19,16 +23,24 @@ struct ModelStudyOptions {
   int threads = 0;                         ///< 0: all cores; does not change the answer
   std::function<void(int, int)> progress;  ///< closures made, planned; from one thread at a time
   const std::atomic<bool>* cancelled = nullptr;  ///< may be null; what is closed by then counts
-  Evaluator evaluate;                            ///< closes and measures the least surface if empty
+  /// That Valve::observed was seen of, where the valve is a repaired one: closed in each draw, too. Null: the valve itself. Where something was observed and
+  /// the draws that it leaves weigh as fewer than kLeastEffective, as many more are made, up to kMostBlocks times.
+  const Valve* unrepaired = nullptr;
+  Evaluator evaluate;  ///< closes and measures the least surface if empty
 };
 
 struct ModelStudyDraw {
   std::vector<double> shares;  ///< order of model_parameters()
   bool trusted = false;
   double leak_mm2 = 0.0;
+  /// Of the valve as it was observed, where it closes; of one that is not repaired the same closure.
+  std::optional<ModelFigures> figures{};
+  std::array<double, 3>
+      closed_shape{};   ///< of the same: tenting height and area, mean height of coaptation
+  double weight = 0.0;  ///< among the draws that are trusted, sum 1
 };
 
-/// The leak over the draws whose closure is trusted; NaN without any.
+/// The leak over the draws whose closure is trusted, as they weigh; NaN without any.
 struct ModelUncertainty {
   double as_it_is_mm2 = 0.0;
   double mean_mm2 = 0.0, sd_mm2 = 0.0;
@@ -40,8 +52,15 @@ struct ModelStudy {
   Evaluation as_it_is;
   std::vector<ModelStudyDraw> draws;  ///< those closed, in order
   int untrusted = 0;                  ///< of them; refused ones, too
+  /// That the draws are weighed by; empty: all alike.
+  std::vector<Observation> observed;
+  double effective = 0.0;    ///< Conditioning::effective, of the draws that are trusted
+  bool contradicts = false;  ///< what was observed contradicts the model: the draws are not weighed
   ModelUncertainty leak;
 };
+
+/// The tissue's part of the leak's error: none without enough draws, and where what was observed contradicts the model.
+std::optional<Interval> tissue_interval(const ModelStudy& study);
 
 /// Each closure starts from the open state, as close_valve() alone does. @pre the valve is valid and
 /// mitral.

@@ -15,6 +15,10 @@ def _vector(json: Sequence[float]) -> Vector:
     return x, y, z
 
 
+def _interval(json: Sequence[float] | None) -> tuple[float, float] | None:
+    return None if json is None else (json[0], json[1])
+
+
 @dataclass(frozen=True)
 class LeakOpening:
     """A connected part of that surface, in the valve's frame."""
@@ -53,13 +57,18 @@ class Leak:
     """Bounds of the area on the voxels that it was found on."""
     openings: tuple[LeakOpening, ...]
     """Largest first."""
+    numerical: tuple[float, float] | None = None
+    """From 5 to 95 %, where the area lies by its numerical error."""
+    tissue: tuple[float, float] | None = None
+    """The same by what the model does not know of tissue and chordae; None: not drawn, or what was observed contradicts the model."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Leak:
-        between = json["between_mm2"]
         return cls(
             json["area_mm2"],
             json["error_mm2"],
-            None if between is None else (between[0], between[1]),
+            _interval(json["between_mm2"]),
             tuple(map(LeakOpening.from_json, json["openings"])),
+            _interval(json.get("numerical")),
+            _interval(json.get("tissue")),
         )

@@ -70,6 +70,36 @@ TEST(ValveJson, ThePatientsFrameIsReadAsItIsWritten) {
   EXPECT_EQ(read->patient, frame);
 }
 
+TEST(ValveJson, WhatWasObservedIsReadAsItIsWritten) {
+  Valve valve = small_valve();
+  EXPECT_EQ(write_valve(valve).find("observed"), std::string::npos);
+  valve.observed = {{ObservedFigure::Leak, 30.0, 8.0, "3D planimetry"},
+                    {ObservedFigure::WidestGap, 2.5, 0.5, ""}};
+  const auto read = read_valve(write_valve(valve));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->observed, valve.observed);
+}
+
+TEST(ValveJson, WhatWasObservedHasRangesAndKnownNames) {
+  const auto found_of = [](const Json& leak) {
+    return found([&](Json& document) { document["observed"] = {{"leak_mm2", leak}}; });
+  };
+  EXPECT_EQ(found_of({{"value", 30}, {"sd", 8}}), Found{});
+  EXPECT_EQ(found_of({{"value", 30}, {"sd", 0}}), (Found{{OutOfRange, "/observed/leak_mm2/sd"}}));
+  EXPECT_EQ(found_of({{"value", -1}, {"sd", 8}}),
+            (Found{{OutOfRange, "/observed/leak_mm2/value"}}));
+  EXPECT_EQ(
+      found_of({{"value", 1e300}, {"sd", -3}}),
+      (Found{{OutOfRange, "/observed/leak_mm2/value"}, {OutOfRange, "/observed/leak_mm2/sd"}}));
+  EXPECT_EQ(found_of({{"value", 30}}), (Found{{MissingField, "/observed/leak_mm2/sd"}}));
+  EXPECT_EQ(found_of({{"value", 30}, {"sd", 8}, {"kind", "PISA"}}),
+            (Found{{UnknownField, "/observed/leak_mm2/kind"}}));
+  EXPECT_EQ(found([](Json& document) {
+              document["observed"] = {{"eroa_mm2", 30}};
+            }),
+            (Found{{UnknownField, "/observed/eroa_mm2"}}));
+}
+
 TEST(ValveJson, WhatAFitLeftUncertainIsReadAsItIsWritten) {
   Valve valve = small_valve();
   Eigen::Matrix2d covariance;

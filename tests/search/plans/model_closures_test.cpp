@@ -81,6 +81,45 @@ TEST(ModelClosures, ChordaeThatWereNeverSeenAreDrawnAnewAlikeForAllPlans) {
   EXPECT_GT(other, 0);
 }
 
+/// The valve leaks 10 mm2 times the stiffness of its chordae, a tenth of it with a ring.
+Evaluator by_stiffness() {
+  return ring_or_suture(
+      [](bool ring, double stiffness) { return (ring ? 1.0 : 10.0) * stiffness; });
+}
+
+TEST(ModelClosures, DrawsArePickedAsTheyAgreeWithWhatWasObserved) {
+  Valve valve = small_valve();
+  valve.observed = {{ObservedFigure::Leak, 20.0, 2.0, ""}};
+  const Evaluator evaluate = by_stiffness();
+  SearchMonitor monitor(0.0, nullptr);
+  PlanEvaluations evaluations(evaluate, valve, on_threads(2), monitor);
+  PlanRecord& ring = evaluations.record(own_ring(1));
+  const std::vector<PlanEvaluations::Wanted> wanted = {{&ring, 0}};
+  ASSERT_TRUE(evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+  const ModelClosures model = close_under_draws(evaluations, {&ring}, kDraws);
+  EXPECT_EQ(model.draws, kConditionedDraws);
+  EXPECT_FALSE(model.contradicts);
+  EXPECT_GT(model.effective, 1.0);
+  EXPECT_LE(model.effective, model.pool);
+  ASSERT_EQ(std::ssize(model.before), kConditionedDraws);
+  for (int draw = 0; draw < kConditionedDraws; ++draw) {
+    EXPECT_NEAR(model.before[draw].leak_mm2, 20.0, 8.0);
+    EXPECT_NEAR(model.plans.at(&ring)[draw].leak_mm2, 0.1 * model.before[draw].leak_mm2, 1e-9);
+  }
+}
+
+TEST(ModelClosures, WhatWasObservedMayContradictTheModel) {
+  Valve valve = small_valve();
+  valve.observed = {{ObservedFigure::Leak, 500.0, 2.0, ""}};
+  const Evaluator evaluate = by_stiffness();
+  SearchMonitor monitor(0.0, nullptr);
+  PlanEvaluations evaluations(evaluate, valve, on_threads(1), monitor);
+  const ModelClosures model = close_under_draws(evaluations, {}, kDraws);
+  EXPECT_TRUE(model.contradicts);
+  EXPECT_EQ(model.pool, kConditionedDraws * kMostBlocks);
+  EXPECT_EQ(std::ssize(model.before), kConditionedDraws);
+}
+
 TEST(ModelClosures, SpreadIsOfTrustedClosuresAlone) {
   PlanClosure failed = closure_leaking(100.0);
   failed.crossing = true;

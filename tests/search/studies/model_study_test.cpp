@@ -61,6 +61,67 @@ TEST(ModelStudy, AClosedValveThatStaysClosedHasNoDecidingProperty) {
   EXPECT_TRUE(std::isnan(study.leak.decided_by.total[0]));
 }
 
+/// 25 +- 3 mm2 seen of a valve.
+Valve seen_leaking(Valve valve) {
+  valve.observed = {{ObservedFigure::Leak, 25.0, 3.0, "planimetry"}};
+  return valve;
+}
+
+TEST(ModelStudy, WeighsDrawsByWhatWasObserved) {
+  const ModelStudy study = study_model(seen_leaking(small_valve()), with(leak_of(leak_by_modulus)));
+  ASSERT_EQ(study.observed.size(), 1u);
+  EXPECT_FALSE(study.contradicts);
+  EXPECT_GE(study.effective, kLeastEffective);
+  // Leaks lie from 26 mm2 up: what is seen leaves the lower end of them.
+  const std::optional<Interval> tissue = tissue_interval(study);
+  ASSERT_TRUE(tissue);
+  EXPECT_GT(tissue->low, 26.0);
+  EXPECT_LT(tissue->high, 32.0);
+  EXPECT_EQ(study.leak.p95_mm2, tissue->high);
+  EXPECT_LT(study.leak.mean_mm2, 30.0);
+}
+
+TEST(ModelStudy, MakesMoreDrawsWhereFewAgreeWithWhatWasObserved) {
+  const ModelStudy study =
+      study_model(seen_leaking(small_valve()), with(leak_of(leak_by_modulus), 32));
+  EXPECT_GT(study.draws.size(), 32u);
+  EXPECT_LE(study.draws.size(), 32u * kMostBlocks);
+  EXPECT_EQ(study_model(small_valve(), with(leak_of(leak_by_modulus), 32)).draws.size(), 32u);
+}
+
+TEST(ModelStudy, SaysThatWhatWasObservedContradictsTheModel) {
+  Valve valve = small_valve();
+  valve.observed = {{ObservedFigure::Leak, 5.0, 2.0, ""}};  // no draw leaks less than 26 mm2
+  const ModelStudy study = study_model(valve, with(leak_of(leak_by_modulus), 32));
+  EXPECT_TRUE(study.contradicts);
+  EXPECT_EQ(tissue_interval(study), std::nullopt);
+  for (const ModelStudyDraw& draw : study.draws) EXPECT_EQ(draw.weight, study.draws.front().weight);
+}
+
+TEST(ModelStudy, ARepairedValveIsWeighedByTheUnrepairedOne) {
+  // The repair leaves a tenth of the leak: 25 mm2 before are 2.5 mm2 after.
+  const Valve unrepaired = seen_leaking(small_valve());
+  Valve repaired = unrepaired;
+  repaired.observed.clear();
+  repaired.name = "repaired";
+  ModelStudyOptions options = with(leak_of([](const Valve& valve) {
+    return leak_by_modulus(valve) * (valve.name == "repaired" ? 0.1 : 1.0);
+  }));
+  options.unrepaired = &unrepaired;
+  const std::optional<Interval> tissue = tissue_interval(study_model(repaired, options));
+  ASSERT_TRUE(tissue);
+  EXPECT_GT(tissue->low, 2.6);
+  EXPECT_LT(tissue->high, 3.2);
+}
+
+TEST(ModelStudy, WeighsAlikeForAnyNumberOfThreads) {
+  const Valve valve = seen_leaking(small_valve());
+  const ModelStudy one = study_model(valve, with(leak_of(leak_by_modulus), 32, 1));
+  const ModelStudy three = study_model(valve, with(leak_of(leak_by_modulus), 32, 3));
+  EXPECT_EQ(one.effective, three.effective);
+  EXPECT_EQ(tissue_interval(one), tissue_interval(three));
+}
+
 TEST(ModelStudy, CancelledItReportsWhatIsClosed) {
   std::atomic<bool> cancelled = false;
   std::atomic<int> calls = 0;

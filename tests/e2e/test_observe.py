@@ -1,0 +1,66 @@
+"""`coapt observe`: what images show of a valve, and that later answers are weighed by it."""
+
+import json
+import unittest
+
+from programs import BAD_INPUT, OK, ProgramTest, coapt
+
+
+class Observe(ProgramTest):
+    def observed(self, *arguments):
+        path = self.folder / "seen.json"
+        result = coapt("observe", "human-functional-mr", *arguments, "-o", path)
+        self.assertEqual(result.returncode, OK, result.stderr)
+        return path
+
+    def test_stores_figures_with_their_source_and_replaces_those_given_before(self):
+        path = self.observed("--leak", "30", "--leak-sd", "8", "--source", "3D planimetry")
+        again = coapt("observe", path, "--leak", "20", "--leak-sd", "4", "--widest-gap", "3", "--widest-gap-sd", "0.5", "-o", "-")
+        self.assertEqual(
+            json.loads(again.stdout)["observed"],
+            {"leak_mm2": {"value": 20, "sd": 4}, "widest_gap_mm": {"value": 3, "sd": 0.5}},
+        )
+        with open(path, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["observed"], {"leak_mm2": {"value": 30, "sd": 8, "source": "3D planimetry"}})
+        self.assertNotIn("observed", json.loads(coapt("observe", path, "--forget", "-o", "-").stdout))
+
+    def test_refuses_what_it_cannot_weigh_by(self):
+        for arguments, words in [
+            (("--leak", "30"), "--leak-sd is required with --leak"),
+            (("--leak-sd", "8"), "--leak is required with --leak-sd"),
+            (("--leak", "30", "--leak-sd", "0"), "0.01"),
+            (("--leak", "30", "--leak-sd", "-1"), "0.01"),
+            (("--leak", "nan", "--leak-sd", "8"), "2000"),
+            (("--leak", "1e9", "--leak-sd", "8"), "2000"),
+            ((), "what was observed is required"),
+        ]:
+            with self.subTest(arguments):
+                result = coapt("observe", "human-functional-mr", *arguments, "-o", self.folder / "none.json")
+                self.assertEqual(result.returncode, BAD_INPUT)
+                self.assertIn(words, result.stderr)
+
+    def test_narrows_what_the_tissue_leaves_of_a_leak(self):
+        def tissue(valve):
+            result = coapt("close", valve, "--draws", "24", "--json")
+            self.assertEqual(result.returncode, OK, result.stderr)
+            return json.loads(result.stdout)
+
+        before, after = tissue("human-functional-mr"), tissue(self.observed("--leak", "40", "--leak-sd", "8"))
+        low, high = before["leak"]["tissue"]
+        self.assertLess(low, high)
+        self.assertEqual(before["tissue_draws"]["observed"], [])
+        self.assertEqual(after["tissue_draws"]["observed"], ["leak_mm2"])
+        self.assertEqual(after["leak"]["area_mm2"], before["leak"]["area_mm2"])
+        self.assertLess(after["leak"]["tissue"][1] - after["leak"]["tissue"][0], high - low)
+
+    def test_says_what_is_worth_measuring(self):
+        result = coapt("study", "information", "human-functional-mr", "--draws", "32", "--json")
+        self.assertEqual(result.returncode, OK, result.stderr)
+        rows = json.loads(result.stdout)["rows"]
+        shares = [row["share_removed"] for row in rows if row["share_removed"] is not None]
+        self.assertEqual(shares, sorted(shares, reverse=True))
+        self.assertTrue(all(0 <= share <= 1 for share in shares))
+
+
+if __name__ == "__main__":
+    unittest.main()
