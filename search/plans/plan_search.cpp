@@ -34,6 +34,7 @@ void tell_before(const PlanEvaluations& evaluations, SearchResult& result) {
   const Valve& valve = evaluations.valve();
   const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
   result.before = before.evaluation;
+  result.leak_before = leak_before(before.evaluation.measure, 0.0, {}, {});
   result.closed_before = closed_valve(valve, before);
   if (result.closed_before)
     result.diagnosis = diagnose(valve, result.closed_before->closure, before.evaluation.measure);
