@@ -54,7 +54,7 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
   if (plans.empty()) return "";
   const RankedPlan& first = plans.front();
   const std::string likely = "leaks less than " + shown(kMildLeak_mm2) +
-                             " mm2 with a probability of " +
+                             " mm² with a probability of " +
                              with_decimals(100.0 * first.acceptable_probability, 0) + " %";
   if (first.plan.steps.empty())
     return "As it is the valve " + likely + ", over what is not known of tissue and mesh" +

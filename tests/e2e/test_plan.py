@@ -177,7 +177,7 @@ class Plan(ProgramTest):
         told = coapt("plan", valve, *options(evaluations=3, **BARE))
         self.assertEqual(told.returncode, NO_COMPETENT_PLAN)
         self.assertRegex(
-            told.stdout, r"\nNo plan is acceptable: the first one leaks less than 5 mm2 with a probability"
+            told.stdout, r"\nNo plan is acceptable: the first one leaks less than 5 mm² with a probability"
         )
         self.assertRegex(told.stdout, r"\n +1  \S+ ")
 

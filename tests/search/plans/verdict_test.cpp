@@ -24,14 +24,14 @@ const RepairPlan kRing{{Annuloplasty{CatalogueRing{"generic-classic", 32.0}}}};
 
 TEST(Verdict, SaysThatNoOperationIsNeeded) {
   EXPECT_EQ(verdict_of({plan_of(1, {})}),
-            "As it is the valve leaks less than 5 mm2 with a probability of 97 %, over what is not "
+            "As it is the valve leaks less than 5 mm² with a probability of 97 %, over what is not "
             "known of tissue and mesh: no operation is needed.");
   EXPECT_EQ(verdict_of({}), "");
 }
 
 TEST(Verdict, SaysWhichPlansCannotBeToldApart) {
   EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing, 2)}),
-            "Plan 1 leaks less than 5 mm2 with a probability of 97 %, over errors of the hand, "
+            "Plan 1 leaks less than 5 mm² with a probability of 97 %, over errors of the hand, "
             "tissue and mesh.");
   EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing)}).find("Plans 1 to 2 cannot"), 0u);
 }
@@ -62,7 +62,7 @@ TEST(Verdict, SaysThatNoPlanIsAcceptable) {
   bad.acceptable_probability = 0.4;
   EXPECT_EQ(
       verdict_of({bad}),
-      "No plan is acceptable: the first one leaks less than 5 mm2 with a probability of 40 %.");
+      "No plan is acceptable: the first one leaks less than 5 mm² with a probability of 40 %.");
   bad.region.closures = 1;
   EXPECT_EQ(verdict_of({bad}).find("It is not known"), 0u);
 }

@@ -45,24 +45,13 @@ export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): R
 
 const isSame = (a: Weights, b: Weights): boolean => JSON.stringify(a) === JSON.stringify(b)
 
-/// "Plans 1 to 3 cannot be told apart; plan 1 is the simplest of them. It leaks less than 5 mm² with a probability of 99 %."
-function byRule(first: RankedPlan, order: RankedPlan[]): string {
-  const likely = `leaks less than 5 mm² with a probability of ${number(100 * first.acceptable_probability, 0)} %.`
-  if (!isAcceptable(first)) return `No plan is acceptable: the first one ${likely}`
-  const alike = order.filter((plan) => plan.class === first.class).length
-  return alike > 1
-    ? `Plans 1 to ${alike} cannot be told apart; plan 1 is the simplest of them. It ${likely}`
-    : `Plan 1 ${likely}`
-}
-
-/// Why the first of `order` stands before the second, by the rule that ranks or, at other prices, "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
+/// Why the first of `order` stands before the second, by the prices wanted: "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
 /// more for undersizing." Null where there is no second, or a cost is not known.
 export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wanted): string | null {
   const [first, second] = order
   if (!first || !second) return null
   const [cost, other] = [costOf(first, own, weights), costOf(second, own, weights)]
   if (cost === null || other === null) return null
-  if (by === '' && first.acceptable_probability !== undefined && isSame(own, weights)) return byRule(first, order)
   const plan = by === '' ? 'Plan' : `By ${by} plan`
   const costs = `${plan} ${first.rank} stands first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
   const decisive = STATEMENTS.find(({ holds }) => holds(first) && !holds(second))

@@ -39,7 +39,7 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
     const arranged = reordered(plans, own, wanted.weights)
     title.textContent =
       plans.length === 1 ? 'One ranked plan' : `${plans.length} ranked plans, best first${by && ` by ${by}`}`
-    why.textContent = whyFirst(arranged, own, wanted) ?? ''
+    why.textContent = (by === '' ? result.verdict : whyFirst(arranged, own, wanted)) ?? ''
     why.hidden = why.textContent === ''
     order.hidden = by === ''
     table.show(arranged, wanted)
