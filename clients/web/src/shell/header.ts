@@ -63,7 +63,7 @@ export function header(workspace: Workspace, openPalette: () => void): Header {
       for (const [name, link] of links) link.setAttribute('href', addressOf(name))
     },
     complain(message) {
-      if (!workspace.valve) valve.textContent = message
+      if (!workspace.valve) valve.textContent = valve.title = message
     },
   }
 }
