@@ -3,7 +3,7 @@ import { drawScene } from './api/calls'
 import { ApiError } from './api/http'
 import type { Job, Plan, Problem, Scene, Step } from './api/types'
 import type { StoryPlace } from './state/address'
-import { shelf as keptPlans, type KeptPlan, type Shelf } from './state/kept_plans'
+import { fittingName, shelf as keptPlans, type KeptPlan, type Shelf } from './state/kept_plans'
 import { tellTabs } from './state/tabs'
 import { nameOfValve } from './state/valves'
 
@@ -129,14 +129,15 @@ export class Workspace {
     const same = (other: KeptPlan) => other.valve === valve.reference && JSON.stringify(other.plan.steps) === steps
     const before = this.kept.find(same)
     if (before) return { kept: before, isNew: false }
-    const kept = await this.shelf.add({ name, plan, valve: valve.reference })
+    const kept = await this.shelf.add({ name: fittingName(name), plan, valve: valve.reference })
     this.kept = [...this.kept, kept]
     this.keptChanged()
     return { kept, isNew: true }
   }
   async rename(kept: KeptPlan, name: string): Promise<void> {
-    await this.shelf.rename(kept.id, name)
-    this.kept = this.kept.map((other) => (other === kept ? { ...kept, name } : other))
+    const fitting = fittingName(name)
+    await this.shelf.rename(kept.id, fitting)
+    this.kept = this.kept.map((other) => (other === kept ? { ...kept, name: fitting } : other))
     this.keptChanged()
   }
   async forget(kept: KeptPlan): Promise<void> {

@@ -19,6 +19,7 @@ export interface Shelf {
 }
 
 const PATH = '/v1/kept-plans'
+const NAME_BYTES = 200
 const KEY = 'coapt-kept-plans'
 
 interface Answer extends Omit<KeptPlan, 'id'> {
@@ -67,6 +68,15 @@ export const browserShelf: Shelf = {
     )
     return Promise.resolve()
   },
+}
+
+/// As long as a plan's name may be; what is cut off ends in "…".
+export function fittingName(name: string): string {
+  const size = (text: string): number => new TextEncoder().encode(text).length
+  if (size(name) <= NAME_BYTES) return name
+  const letters = Array.from(name)
+  while (size(`${letters.join('')}…`) > NAME_BYTES) letters.pop()
+  return `${letters.join('').trimEnd()}…`
 }
 
 /// The service's, or the browser's where the service has no such thing.

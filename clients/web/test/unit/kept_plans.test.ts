@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import type { Plan } from '../../src/api/types'
-import { shelf, type KeptPlan, type Shelf } from '../../src/state/kept_plans'
+import { fittingName, shelf, type KeptPlan, type Shelf } from '../../src/state/kept_plans'
 import { bestOf } from '../../src/repair/scores'
 import type { RankedPlan } from '../../src/api/types'
 import { Workspace } from '../../src/workspace'
@@ -85,4 +85,14 @@ test('the plan that costs least is the best; plans without a cost are none', () 
   const costing = (cost: number | null) => ({ cost }) as RankedPlan
   expect(bestOf([costing(2), costing(null), costing(1), null, undefined])).toBe(2)
   expect(bestOf([null, costing(null)])).toBeNull()
+})
+
+test('a name that is too long is cut to what the service takes', () => {
+  expect(fittingName('Rank 1: ring')).toBe('Rank 1: ring')
+  for (const letter of ['a', 'é', '📐']) {
+    const cut = fittingName(letter.repeat(300))
+    expect(new TextEncoder().encode(cut).length).toBeLessThanOrEqual(200)
+    expect(new TextEncoder().encode(cut).length).toBeGreaterThan(190)
+    expect(cut.replace('…', '')).toBe(letter.repeat(Array.from(cut).length - 1))
+  }
 })
