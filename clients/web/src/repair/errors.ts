@@ -99,11 +99,10 @@ function sutureMisses(step: Approximation, isAnchor: boolean, { before, ringed }
       const annulus_around = (((around + turn * beside) % 1) + 1) % 1
       return { step: 'papillary_approximation', side, suture_length_mm, anchor: 'annulus_point', annulus_around }
     },
-    /// The muscle comes straight towards the anchor.
+    /// The whole suture beside its place: its lower end follows the upper one, though the muscle would hardly.
     placeAt([longer = 0, beside = 0]) {
-      const tied = anchorAt(beside)
-      const way = unit(minus(tip, tied))
-      return isAnchor ? plus(tied, times(longer, way)) : plus(tied, times(step.suture_length_mm + longer, way))
+      const way = unit(minus(tip, anchor))
+      return plus(anchorAt(beside), times(longer + (isAnchor ? 0 : step.suture_length_mm), way))
     },
     around: false,
   }

@@ -10,7 +10,7 @@ openBefore('repair', { width: 1440, height: 900 }, () =>
 const handle = (name) => page.locator('[data-part=handles]').getByRole('slider', { name })
 const steps = () => page.locator('[data-part=steps] [data-part=step]').allTextContents()
 const headline = () => page.locator('[data-part=headline]').textContent()
-const told = () => page.locator('figure').last().locator('[data-part=dragged]')
+const told = () => page.locator('[data-part=viewer]').last().locator('[data-part=dragged]')
 const isAnswered = () => page.locator('[aria-busy=false]').waitFor()
 const titled = (words) =>
   page.waitForFunction((wanted) => document.querySelector('[data-part=steps]')?.textContent?.includes(wanted), words)
