@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
 import type { ViewName } from '../../src/shell/views'
+import type { StoryPlace } from '../../src/state/address'
 import { router } from '../../src/state/router'
 import { NO_PLAN, type ValveSource, type Workspace } from '../../src/workspace'
 
@@ -18,6 +19,10 @@ const workspace = {
     workspace.valve = valve
   },
   setPlan: async () => {},
+  story: null as StoryPlace | null,
+  tell: (story: StoryPlace | null) => {
+    workspace.story = story
+  },
   lookAt: () => {},
   subscribe: (listener: () => void) => {
     changed = listener
