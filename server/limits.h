@@ -11,6 +11,7 @@ struct ServiceLimits {
   int evaluations = 100'000;      ///< of a search
   double vertex_steps = 25e6;     ///< steps times vertices, of a closure that a client waits for
   double request_seconds = 10.0;  ///< of computing for a client that waits
+  std::size_t import_bytes = std::size_t{1} << 30;  ///< of address space, to read an import's files
   double seconds = 3600.0;  ///< of a job's running; asked for more, or for no limit, it gets this
   Retention retention =
       {};  ///< enforced when a job or a valve comes; of closures, when a job has ended

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <mutex>
 #include <sstream>
 #include <thread>
@@ -108,7 +109,7 @@ void print_address(const std::string& host, int port, const std::string& made_to
   std::cerr << lines.str() << "coapt-server: listening on " << address << '\n';
 }
 
-int serve(const ServerOptions& options, const Access& access) {
+int serve(const ServerOptions& options, const Access& access, const ReaderProcesses& readers) {
   set_up_memory();
   Stopper stopper;
   umask(S_IRWXG | S_IRWXO);  // valves are of patients: no other user reads the files
@@ -137,10 +138,21 @@ int serve(const ServerOptions& options, const Access& access) {
   SearchReports reports;
   FarmWatch farm(options.farm.empty() ? std::nullopt : std::optional(farm_at(options.farm)));
   const PageTokens tokens;
+  const ImportReader imports{options.service, &readers};
   HttpServer* running = nullptr;
-  const Service service{options.service, *store,  board,   known,
-                        parsing,         compute, reports, farm,
-                        metrics,         page,    tokens,  [&running] { return running->load(); }};
+  const Service service{options.service,
+                        *store,
+                        board,
+                        known,
+                        parsing,
+                        compute,
+                        imports,
+                        reports,
+                        farm,
+                        metrics,
+                        page,
+                        tokens,
+                        [&running] { return running->load(); }};
   const Routes routes = routes_of(service);
   HttpServer http(options.http, routes, access, [&](const Exchange& exchange) {
     metrics.observe(exchange);
@@ -157,7 +169,7 @@ int serve(const ServerOptions& options, const Access& access) {
         board,
         {{"plans", PlanJob{board, *store, options.service, plans, options.farm}},
          {"study", StudyJob{board, *store, options.service, studies, options.farm}},
-         {"import", ImportJob{board, *store, options.service}}},
+         {"import", ImportJob{board, *store, imports}}},
         options.service.running_jobs,
         [&retention](const Job& ended) { static_cast<void>(retention(ended, wall_clock_ms())); });
     print_address(options.host, *port, options.token_file.empty() ? access.token : "");
@@ -187,6 +199,8 @@ int run(int argc, char** argv) {
   if (const Errors errors = check_together(options); !errors.empty())
     return fail(kBadInput, errors);
 
+  // Before any token is read: what strangers' files can reach has none.
+  const std::unique_ptr<ReaderProcesses> readers = import_processes(options.service);
   Access access;
   access.hosts.insert(options.hosts.begin(), options.hosts.end());
   access.origins.insert(options.origins.begin(), options.origins.end());
@@ -201,7 +215,7 @@ int run(int argc, char** argv) {
   } else if (!options.no_token && !other_login_accounts().empty()) {
     access.token = random_id();
   }
-  return serve(options, access);
+  return serve(options, access, *readers);
 }
 
 }  // namespace

@@ -38,6 +38,8 @@ void add_service_limits(Command app, ServiceLimits& service) {
             "Steps times vertices of a closure that a client waits for, at most");
   add_limit(app, "--request-seconds", service.request_seconds, 0.1, 3600.0,
             "Time that is computed for a client that waits");
+  add_limit(app, "--import-bytes", service.import_bytes, std::size_t{1} << 28, std::size_t{1} << 40,
+            "Address space of the process that reads the files of an import, at most");
   add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Time that a job may run");
   add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Plans that it keeps, at most");
   add_limit(app, "--kept-jobs", service.retention.jobs, 1, 1'000'000,

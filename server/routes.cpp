@@ -20,15 +20,15 @@
 namespace coapt {
 
 Routes routes_of(const Service& service) {
-  const auto& [limits, store, jobs, known, parsing, compute, reports, farm, metrics, page, tokens,
-               load] = service;
+  const auto& [limits, store, jobs, known, parsing, compute, imports, reports, farm, metrics, page,
+               tokens, load] = service;
   const ValveSource valves{store, limits, known, parsing};
   const Submitting submitting{valves, jobs};
   return {
       {"POST", "/v1/valves", PostValve{store, valves}},
       {"GET", "/v1/valves", GetValves{store, tokens}},
       {"POST", "/v1/valves:validate", ValidateValve{valves}},
-      {"POST", "/v1/valves:import", ImportValve{store, valves, compute}, true},
+      {"POST", "/v1/valves:import", ImportValve{store, imports, compute}, true},
       {"GET", "/v1/valves/{id}", GetValve{valves}},
       {"DELETE", "/v1/valves/{id}", DeleteValve{store, known}},
       {"GET", "/v1/presets", GetPresets{}},
@@ -52,8 +52,8 @@ Routes routes_of(const Service& service) {
       {"POST", "/v1/exports", PostExports{valves, compute}},
       {"POST", "/v1/pictures", PostPictures{valves, compute}},
       {"POST", "/v1/plans", PostPlans{submitting}},
-      {"POST", "/v1/imports", PostImports{submitting, compute}, true},
-      {"POST", "/v1/imports:preview", PreviewImport{valves, compute}, true},
+      {"POST", "/v1/imports", PostImports{submitting, imports, compute}, true},
+      {"POST", "/v1/imports:preview", PreviewImport{imports, compute}, true},
       {"POST", "/v1/studies", PostStudies{submitting}},
 
       {"GET", "/v1/jobs", GetJobs{store, jobs, tokens}},

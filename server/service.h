@@ -6,6 +6,7 @@
 #include "server/compute.h"
 #include "server/farm_watch.h"
 #include "server/http.h"
+#include "server/jobs/import_reading.h"
 #include "server/jobs/job_board.h"
 #include "server/jobs/search_reports.h"
 #include "server/limits.h"
@@ -24,6 +25,7 @@ struct Service {
   ValveCache& known;
   Compute& parsing;  ///< turns for bodies that are read
   Compute& compute;  ///< turns for closures that are waited for
+  ImportReader imports;
   SearchReports& reports;
   FarmWatch& farm;
   const Metrics& metrics;

@@ -293,4 +293,9 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
   return to_png(canvas);
 }
 
+void load_import_fonts() {
+  const Canvas canvas = make_canvas(1, 1);
+  for (const bool bold : {false, true}) draw_text(canvas, {0.0, 0.0}, "a", {.bold = bold});
+}
+
 }  // namespace coapt

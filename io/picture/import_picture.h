@@ -11,4 +11,7 @@ namespace coapt {
 /// from those given. @param title a line
 std::string import_picture_png(const ImportedValve& imported, const std::string& title);
 
+/// Reads the fonts, so that import_picture_png() opens no file any more.
+void load_import_fonts();
+
 }  // namespace coapt

@@ -1,10 +1,9 @@
 // Valves out of the files of segmentation tools.
 #pragma once
 
-#include "server/compute.h"
 #include "server/endpoints/submissions.h"
-#include "server/json_body.h"
-#include "server/route.h"
+#include "server/jobs/import_reading.h"
+#include "server/request_closures.h"
 
 namespace coapt {
 
@@ -13,7 +12,7 @@ namespace coapt {
 /// "text" or "base64"}. What `coapt valve import` makes of them is stored, and answered as by POST /v1/valves, with "decisions".
 struct ImportValve {
   JobStore& store;
-  ValveSource valves;
+  ImportReader reader;
   Compute& compute;
   Answer operator()(const Request& request) const;
 };
@@ -22,13 +21,14 @@ struct ImportValve {
 /// answer, so that what is wrong with the files is refused here; the job draws and fits (ImportJob).
 struct PostImports {
   Submitting submitting;
+  ImportReader reader;
   Compute& compute;
   Answer operator()(const Request& request) const;
 };
 
 /// POST /v1/imports:preview {"files": [FILE, ...]}: what each holds, to be shown. Nothing is stored.
 struct PreviewImport {
-  ValveSource valves;
+  ImportReader reader;
   Compute& compute;
   Answer operator()(const Request& request) const;
 };

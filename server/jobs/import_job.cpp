@@ -5,30 +5,29 @@
 #include "io/exchange/decisions_json.h"
 #include "io/json/fit_json.h"
 #include "io/json/parse_json.h"
+#include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/fit_picture.h"
-#include "io/picture/import_picture.h"
 #include "io/picture/text.h"
 #include "io/store/stored_valves.h"
+#include "server/base64.h"
 #include "server/content_id.h"
 #include "server/jobs/closure_keeping.h"
-#include "server/jobs/import_request.h"
 
 namespace coapt {
 namespace {
 
 constexpr const char* kSurfaceName = "the closed surface";  // files have patients' names
 
-Expected<ImportRequest> read_request(const std::string& body) {
-  const Expected<Json> json = parse_json(body);
-  if (!json) return json.errors();
+/// What is left of it in the document that a reader made: without files. None: none was asked for.
+Expected<std::optional<FitRequest>> fit_asked(const Json& document) {
+  if (!document.contains("fit")) return std::optional<FitRequest>();
   ImportRequest request;
   ProblemList problems;
-  std::vector<JsonField> fields = import_fields(request);
-  fields.push_back(fit_field(request));
-  read_fields({*json, problems}, fields);
+  const Json fit = {{"fit", document["fit"]}};
+  read_fields({fit, problems}, {fit_field(request)});
   if (!problems.empty()) return std::move(problems).take();
-  return request;
+  return std::move(request.fit);
 }
 
 /// As the request calls what the fit was given.
@@ -70,17 +69,15 @@ struct Fitted {
 };
 
 /// Kept round by round. Errors: those of the surface and of the fit; throws if the server stops.
-Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const ImportRequest& request,
-                            const ImportedValve& imported, std::optional<FitState> from) {
-  const Expected<LeafletMesh> surface = fit_surface(request, imported);
-  if (!surface) return surface.errors();
-  const FitRequest& asked = *request.fit;
-  const MeasuredClosure measured{surface->vertices_mm, asked.side, asked.leak_mm2,
+Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const FitRequest& asked,
+                            const Valve& imported, const LeafletMesh& surface,
+                            std::optional<FitState> from) {
+  const MeasuredClosure measured{surface.vertices_mm, asked.side, asked.leak_mm2,
                                  asked.leak_sd_mm2};
   FitOptions options = asked.options;
-  options.threads = work.limits.threads;
+  options.threads = work.reader.limits.threads;
   options.cancelled = [&] { return work.board.stopping() || job.cancelled; };
-  options.most_seconds = std::max(0.0, work.limits.seconds - job.seconds());
+  options.most_seconds = std::max(0.0, work.reader.limits.seconds - job.seconds());
   JobProgress progress{.stage = "fitting", .closures = from ? from->closures : 0};
   job.note(progress);
   options.from = std::move(from);
@@ -95,14 +92,14 @@ Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const Import
     job.note(progress);
     return true;
   };
-  const Expected<ValveFit> fit = fit_valve(imported.valve, measured, options);
+  const Expected<ValveFit> fit = fit_valve(imported, measured, options);
   if (work.board.stopping()) throw std::runtime_error(kJobStops);
   if (!fit) return as_fit_calls(fit.errors());
   Fitted fitted{fit->closed.valve, fit_decision(*fit),
                 fit_to_json(*fit, {job.job.valve, kSurfaceName, measured}), std::nullopt};
   fitted.valve.provenance.push_back(fit_sentence(*fit, kSurfaceName));
-  if (surface->faces.rows() > 0)
-    fitted.map = {"fit.png", "image/png", fit_map_png(*surface, *fit, asked.side, kSurfaceName)};
+  if (surface.faces.rows() > 0)
+    fitted.map = {"fit.png", "image/png", fit_map_png(surface, *fit, asked.side, kSurfaceName)};
   return fitted;
 }
 
@@ -112,23 +109,30 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   using Text = std::optional<std::string>;
   const Text body = retried<Text>(board, job, [&] { return store.input(job.job.id); });
   if (!body) return failed(job, {Error{ErrorCode::BadReference, "", "its files are gone"}});
-  const Expected<ImportRequest> request = read_request(*body);
-  if (!request) return failed(job, request.errors());
   std::optional<FitState> from =
       kept_state(retried<Text>(board, job, [&] { return store.state(job.job.id); }));
   if (const std::optional<JobEnd> end = begin(board, job, from ? from->closures : 0)) return end;
 
   job.note({.stage = "importing"});
   const ClosureBudget budget{.cancelled = [&] { return board.stopping() || job.cancelled; }};
-  Expected<ImportedValve> imported = make_import(*request, budget);
-  if (!imported && budget.is_cancelled()) throw std::runtime_error(kJobStops);
+  const std::optional<Answer> answer =
+      reader(ImportStep::Job, *body, budget, reader.limits.seconds - job.seconds(),
+             JobRunner::kBelowRequests);
+  if (!answer) throw std::runtime_error(kJobStops);
+  const Json read = document_of(*answer);
+  if (answer->status != 200) return failed(job, errors_from_json(read.value("problems", Json::array())));
+  Expected<ImportedValve> imported = import_from(read);
   if (!imported) return failed(job, imported.errors());
-  std::vector<JobFile> files = {
-      {kImportPicture, "image/png", import_picture_png(*imported, imported->valve.name)}};
   Valve made = imported->valve;
+  std::vector<JobFile> files = {
+      {kImportPicture, "image/png", decoded_base64(read.value("picture", "")).value_or("")}};
   Json fit = nullptr;
-  if (request->fit) {
-    Expected<Fitted> fitted = fit_import(*this, job, *request, *imported, std::move(from));
+  const Expected<std::optional<FitRequest>> asked = fit_asked(read);
+  if (!asked) return failed(job, asked.errors());
+  if (*asked) {
+    const Expected<LeafletMesh> surface = surface_from(read.value("surface", Json()));
+    if (!surface) return failed(job, surface.errors());
+    Expected<Fitted> fitted = fit_import(*this, job, **asked, made, *surface, std::move(from));
     if (!fitted) return failed(job, fitted.errors());
     made = std::move(fitted->valve);
     fit = std::move(fitted->json);

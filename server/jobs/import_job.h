@@ -1,8 +1,8 @@
 // A job that makes a valve of files, and fits it to a closed surface.
 #pragma once
 
+#include "server/jobs/import_reading.h"
 #include "server/jobs/job_runner.h"
-#include "server/limits.h"
 
 namespace coapt {
 
@@ -15,7 +15,7 @@ inline constexpr const char* kImportPicture = "import.png";
 struct ImportJob {
   JobBoard& board;
   JobStore& store;
-  const ServiceLimits& limits;
+  ImportReader reader;
 
   std::optional<JobEnd> operator()(RunningJob& job) const;
 };

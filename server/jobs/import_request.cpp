@@ -32,11 +32,6 @@ TissueReference read_state(const JsonPlace& place) {
   return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
 }
 
-LengthUnit read_unit(const JsonPlace& place) {
-  return read_name<LengthUnit>(
-      place, {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch, LengthUnit::Metre});
-}
-
 MeasuredSide read_side(const JsonPlace& place) {
   return read_choice(place, {"atrial", "middle"}).value_or(0) == 0 ? MeasuredSide::Atrial
                                                                    : MeasuredSide::Middle;
@@ -143,6 +138,11 @@ NamedFile read_file(const JsonPlace& place) {
     add_problem(place, ErrorCode::OutOfRange, "base64 has other characters than those of base64");
   }
   return file;
+}
+
+LengthUnit read_unit(const JsonPlace& place) {
+  return read_name<LengthUnit>(
+      place, {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch, LengthUnit::Metre});
 }
 
 std::vector<JsonField> import_fields(ImportRequest& asked) {

@@ -34,6 +34,7 @@ struct ImportRequest {
 };
 
 NamedFile read_file(const JsonPlace& place);
+LengthUnit read_unit(const JsonPlace& place);
 
 /// All but "fit". `request` must outlive them.
 std::vector<JsonField> import_fields(ImportRequest& request);

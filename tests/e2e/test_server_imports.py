@@ -1,10 +1,37 @@
 """Imports as jobs of coapt-server: a fit that is killed goes on where it was."""
 
+import base64
 import json
+import os
+import pathlib
+import signal
+import socket
+import threading
+import time
 import unittest
 
 from programs import SOURCE
 from server_runs import ServerTest
+
+
+def readers_of(server):
+    """Processes that read files for it: children of its child."""
+    parents = {}
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            parents[int(stat.parent.name)] = int(stat.read_text().rsplit(")", 1)[1].split()[1])
+        except OSError:  # it has ended meanwhile
+            continue
+    templates = [pid for pid, parent in parents.items() if parent == server.process.pid]
+    return [pid for pid, parent in parents.items() if parent in templates]
+
+
+def within(seconds, condition):
+    """What it says in the end."""
+    until = time.monotonic() + seconds
+    while not (said := condition()) and time.monotonic() < until:
+        time.sleep(0.02)
+    return said
 
 
 class Imports(ServerTest):
@@ -61,7 +88,8 @@ class Imports(ServerTest):
     def test_an_import_is_that_of_the_command_line(self):
         request = self.request()
         del request["fit"]
-        result = self.result(self.server.submit(request, "/v1/imports")["id"])
+        job = self.server.submit(request, "/v1/imports")
+        result = self.result(job["id"])
         valve = self.folder / "valve.json"
         picture = self.folder / "valve.png"
         options = ("--triangles", 300, "-o", valve, "--render", picture, "--json")
@@ -71,7 +99,8 @@ class Imports(ServerTest):
         path = result["valve"]
         stored = self.server.get(f"/v1/valves/{path}")
         self.assertEqual(json.loads(valve.read_text())["vertices_mm"], stored["vertices_mm"])
-        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+        drawn = self.server.ask("GET", f"/v1/jobs/{job['id']}/files/import.png").body
+        self.assertEqual(picture.read_bytes(), drawn)
 
     def test_a_form_with_files_is_the_same_request(self):
         contract = json.loads((SOURCE / "server/openapi.json").read_text())
@@ -87,6 +116,56 @@ class Imports(ServerTest):
         self.assertEqual((form[0], form[2]), (200, asked[2]))
         self.assert_problem(self.curl("/v1/valves:import", *fields, "-F", "triangles=many"), 422, "/triangles")
         self.assert_problem(self.curl("/v1/closures", *fields), 415)
+
+    LONG = 9000  # triangles: half a minute, and more than a closure may take
+
+    def long_import(self):
+        """Two files whose import takes as long as it may."""
+        folder = SOURCE / "examples/valves/source/bodyparts3d"
+        files = [
+            {"name": path.name, "base64": base64.b64encode(path.read_bytes()).decode()}
+            for path in (folder / "anterior_leaflet_sheet.obj", folder / "posterior_leaflet_sheet.obj")
+        ]
+        annulus = folder / "annulus_centerline.csv"
+        return {
+            "leaflets": files,
+            "annulus": {"name": annulus.name, "text": annulus.read_text()},
+            "chordae_seed": 1,
+            "triangles": self.LONG,
+        }
+
+    def test_a_reader_that_is_killed_costs_its_request_alone(self):
+        server = self.start_server("long.sqlite", "--vertex-steps", 1e12)
+        replies = []
+        client = threading.Thread(
+            target=lambda: replies.append(server.ask("POST", "/v1/valves:import", self.long_import()))
+        )
+        client.start()
+        readers = within(20, lambda: readers_of(server))
+        self.assertEqual(len(readers), 1)
+        os.kill(readers[0], signal.SIGKILL)
+        client.join()
+        self.assertEqual(replies[0].status, 422, replies[0].body)
+        self.assertEqual(replies[0].json()["problems"][0]["code"], "input_output")
+        self.assertEqual(server.ask("POST", "/v1/closures", {"valve": "human-normal"}).status, 200)
+        small = {"files": [self.long_import()["annulus"]]}
+        self.assertEqual(server.ask("POST", "/v1/imports:preview", small).status, 200)
+
+    def test_a_reader_ends_with_its_client_and_with_the_service(self):
+        server = self.start_server("gone.sqlite", "--vertex-steps", 1e12)
+        body = json.dumps(self.long_import()).encode()
+        head = f"POST /v1/valves:import HTTP/1.1\r\nHost: localhost\r\nContent-Length: {len(body)}\r\n\r\n"
+        with socket.create_connection(("127.0.0.1", server.port)) as client:
+            client.sendall(head.encode() + body)
+            self.assertTrue(within(20, lambda: readers_of(server)))
+        self.assertTrue(within(5, lambda: not readers_of(server)))
+        with socket.create_connection(("127.0.0.1", server.port)) as client:
+            client.sendall(head.encode() + body)
+            readers = within(20, lambda: readers_of(server))
+            self.assertTrue(readers)
+            server.kill()
+            gone = lambda: not any(pathlib.Path(f"/proc/{pid}/exe").exists() for pid in readers)  # noqa: E731
+            self.assertTrue(within(5, gone))
 
 
 if __name__ == "__main__":

@@ -48,8 +48,19 @@ LocalService::LocalService(const std::string& database, int threads)
       parsing_(cores(threads), kPatience),
       compute_(cores(threads), kPatience),
       reports_(cores(threads), kPatience),
-      service_{limits_,  store_, board_,   known_, parsing_, compute_,
-               reports_, farm_,  metrics_, page_,  tokens_,  [] { return HttpLoad{}; }},
+      service_{limits_,
+               store_,
+               board_,
+               known_,
+               parsing_,
+               compute_,
+               {limits_},
+               reports_,
+               farm_,
+               metrics_,
+               page_,
+               tokens_,
+               [] { return HttpLoad{}; }},
       routes_(routes_of(service_)) {
   taken(PlanStore::open(retention_.plans));
   taken(ClosureStore::open(retention_.studies));
@@ -60,7 +71,7 @@ LocalService::LocalService(const std::string& database, int threads)
       std::map<std::string, JobWork>{
           {"plans", PlanJob{board_, store_, limits_, retention_.plans}},
           {"study", StudyJob{board_, store_, limits_, retention_.studies}},
-          {"import", ImportJob{board_, store_, limits_}}},
+          {"import", ImportJob{board_, store_, {limits_}}}},
       limits_.running_jobs, [](const Job&) {}, kAsNice);
 }
 

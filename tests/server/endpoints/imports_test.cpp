@@ -211,9 +211,7 @@ TEST_F(ImportsTest, AnImportEndsWithItsClient) {
   Request request;
   request.body = body.dump();
   request.abandoned = [] { return true; };
-  ValveCache known;
-  const ValveSource valves{store(), limits_, known, parsing()};
-  EXPECT_EQ(ImportValve({store(), valves, compute()})(request).status, 503);
+  EXPECT_EQ(ImportValve({store(), {limits_}, compute()})(request).status, 503);
 }
 
 TEST_F(ImportsTest, WithoutATurnTheyAre503) {
@@ -286,7 +284,7 @@ TEST_F(ImportsTest, WhatIsShownOfFilesIsBounded) {
 /// A job that waits, run as the server does.
 JobEnd run_import(const ServiceLimits& limits, JobStore& store, JobBoard& board) {
   const std::shared_ptr<RunningJob> job = board.take();
-  const std::optional<JobEnd> end = ImportJob{board, store, limits}(*job);
+  const std::optional<JobEnd> end = ImportJob{board, store, {limits}}(*job);
   EXPECT_TRUE(end);
   board.finish(job, end);
   return end.value_or(JobEnd{});
@@ -373,7 +371,7 @@ TEST_F(ImportsTest, AFitGoesOnWhereItWasKept) {
     while (!store().state(again)->has_value()) std::this_thread::yield();
     board().stop();
   });
-  const ImportJob work{board(), store(), limits_};
+  const ImportJob work{board(), store(), {limits_}};
   std::optional<JobEnd> end;
   try {
     end = work(*job);
@@ -400,7 +398,7 @@ TEST_F(ImportsTest, AJobEndsWhileItsValveIsMade) {
   post("/v1/imports", unseen_request());
   const std::shared_ptr<RunningJob> job = board().take();
   job->cancelled = job->cancel_asked = true;
-  EXPECT_THROW((ImportJob{board(), store(), limits_})(*job), std::runtime_error);
+  EXPECT_THROW((ImportJob{board(), store(), {limits_}})(*job), std::runtime_error);
 }
 
 TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
@@ -427,6 +425,53 @@ TEST_F(ImportsTest, AFitThatCannotBeMadeFailsWithItsPlace) {
   const Json ended = json_of(get("/v1/jobs/" + job));
   EXPECT_EQ(ended["state"], "FAILED");
   EXPECT_EQ(ended["problems"][0]["path"], "/fit/surface");
+}
+
+TEST_F(ImportsTest, FilesAreReadApartToTheSameAnswers) {
+  const std::unique_ptr<ReaderProcesses> processes = import_processes(limits_);
+  const ImportReader here{limits_}, apart{limits_, processes.get()};
+  Json wrong = cone_request();
+  wrong["annulus"]["text"] = "x;y;z";
+  const std::vector<std::pair<ImportStep, std::string>> asked = {
+      {ImportStep::Valve, cone_request().dump()},
+      {ImportStep::Valve, unseen_request().dump()},
+      {ImportStep::Valve, wrong.dump()},
+      {ImportStep::Valve, "{"},
+      {ImportStep::Submission, fit_request().dump()},
+      {ImportStep::Job, cone_request(true).dump()},
+      {ImportStep::Job, fit_request().dump()},
+      {ImportStep::Preview, Json{{"files", {cone_request()["annulus"]}}}.dump()}};
+  for (const auto& [step, body] : asked) {
+    const std::optional<Answer> one = here(step, body, {}, 60.0),
+                                other = apart(step, body, {}, 60.0);
+    ASSERT_TRUE(one && other);
+    EXPECT_EQ(one->status, other->status) << body.substr(0, 100);
+    using Unordered = nlohmann::json;  // members have no order for readers
+    EXPECT_TRUE(Unordered::parse(content_bytes(*one)) == Unordered::parse(content_bytes(*other)))
+        << body.substr(0, 100);
+    EXPECT_EQ(content_type(*other),
+              one->status < 400 ? "application/json" : "application/problem+json");
+  }
+  EXPECT_FALSE(
+      apart(ImportStep::Valve, cone_request().dump(), {.cancelled = [] { return true; }}, 60.0));
+}
+
+TEST_F(ImportsTest, AReaderThatDiesIsTheProblemOfItsRequest) {
+  // As a fault of a reader of files would end it.
+  const ReaderProcesses dying([](std::string_view) -> std::string { std::abort(); },
+                              limits_.import_bytes);
+  Request request;
+  request.body = cone_request().dump();
+  const ImportReader reader{limits_, &dying};
+  const Answer answer = ImportValve({store(), reader, compute()})(request);
+  EXPECT_EQ(answer.status, 422);
+  EXPECT_EQ(json_of(answer)["problems"][0]["code"], "input_output");
+  EXPECT_NE(content_bytes(answer).find("coapt valve import"), std::string::npos);
+  ASSERT_EQ(post("/v1/imports", cone_request()).status, 202);
+  const std::shared_ptr<RunningJob> job = board().take();
+  const std::optional<JobEnd> end = ImportJob{board(), store(), reader}(*job);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->state, JobState::Failed);
 }
 
 TEST(Base64, ComesBackAsItWas) {

@@ -116,6 +116,7 @@ class ServiceTest : public testing::Test {
                    .known = known_,
                    .parsing = parsing_,
                    .compute = compute_,
+                   .imports = {limits_},
                    .reports = reports_,
                    .farm = farm_,
                    .metrics = metrics_,
