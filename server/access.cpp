@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 
+#include "server/content_id.h"
 #include "server/page.h"
 
 namespace coapt {
@@ -107,6 +109,18 @@ Expected<std::string> read_token(const std::string& path) {
   }
   close(file);
   return token;
+}
+
+Expected<std::string> kept_token(const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (file < 0 && errno == EEXIST) return read_token(path);
+  if (file < 0) return unfit(path, ErrorCode::InputOutput, "cannot be made");
+  const std::string token = random_id(), line = token + '\n';
+  const bool is_written = write(file, line.data(), line.size()) == std::ssize(line);
+  close(file);
+  if (is_written) return token;
+  unlink(path.c_str());
+  return unfit(path, ErrorCode::NoSpace, "cannot be written");
 }
 
 std::optional<Answer> refuse(const Access& access, const Request& request) {

@@ -23,6 +23,9 @@ struct Access {
 /// file must belong to this user or root and be closed to all others but root's group.
 Expected<std::string> read_token(const std::string& path);
 
+/// Of a service that was given none, but needs one: read there, or, the first time, made and written for this user alone.
+Expected<std::string> kept_token(const std::string& path);
+
 /// The answer to a request that does not get in: 401, 403 or 421. /healthz/live is open to all, the files of the page
 /// to all who call this server by its name.
 /// The time it takes says nothing of the token but its length.

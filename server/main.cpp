@@ -190,10 +190,10 @@ int run(int argc, char** argv) {
       "The page is at /, the API is described at /openapi.json. Jobs outlive the server: started "
       "again\nwith the same --db, it resumes them. SIGTERM and Ctrl-C end it within 10 s.\n\n"
       "Examples:\n"
-      "  coapt-server --db coapt.sqlite\n"
-      "  curl -d '{\"valve\": \"human-functional-mr\"}' http://127.0.0.1:8080/v1/closures\n"
-      "  curl -d '{\"valve\": \"human-functional-mr\", \"search\": {\"seed\": 1}}' "
-      "http://127.0.0.1:8080/v1/plans");
+      "  export COAPT_TOKEN=$(coapt-server --db coapt.sqlite --print-token)\n"
+      "  coapt-server --db coapt.sqlite &\n"
+      "  curl -H \"Authorization: Bearer $COAPT_TOKEN\" -d '{\"valve\": \"human-functional-mr\"}' "
+      "http://127.0.0.1:8080/v1/closures");
   line.end_helps_with(std::string(kResearchNotice));
   if (const std::optional<int> ended = line.parse(argc, argv)) return *ended;
   if (const Errors errors = check_together(options); !errors.empty())
@@ -213,7 +213,13 @@ int run(int argc, char** argv) {
                                   "other machines can reach " + options.host +
                                       ": --token-file must say who may come in"}});
   } else if (!options.no_token && !other_login_accounts().empty()) {
-    access.token = random_id();
+    const Expected<std::string> token = kept_token(options.database + "-token");
+    if (!token) return fail(kFailure, token.errors());
+    access.token = *token;
+  }
+  if (options.print_token) {
+    std::cout << access.token << '\n';
+    return kOk;
   }
   return serve(options, access, *readers);
 }

@@ -78,8 +78,10 @@ void add_options(Command app, ServerOptions& options) {
       .show_default();
   app.add_option(
       "--token-file", options.token_file,
-      "Requests must carry its first line: Authorization: Bearer TOKEN. Without it a token "
-      "is made and printed where other accounts may log in");
+      "Requests must carry its first line: Authorization: Bearer TOKEN. Without it, where other "
+      "accounts may log in, a token is made once, kept in the file of --db with -token behind it");
+  app.add_flag("--print-token", options.print_token,
+               "Print the token that requests need, an empty line where they need none, and end");
   app.add_flag("--no-token", options.no_token,
                "Ask for no token: every account of this machine may read all valves and jobs");
   app.add_option("--allow-host", options.hosts,

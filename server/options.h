@@ -16,6 +16,7 @@ struct ServerOptions {
   std::string database = "coapt.sqlite";
   std::string token_file;            ///< empty: a token is made where others may log in
   bool no_token = false;             ///< none is made
+  bool print_token = false;          ///< that, and nothing else
   std::vector<std::string> hosts;    ///< names by which a proxy may call this server
   std::vector<std::string> origins;  ///< sites whose pages may use it
   std::string farm;                  ///< that searches and closes for studies; empty: this process

@@ -122,6 +122,20 @@ class Answers(ServerTest):
         self.assertEqual(second.returncode, BAD_INPUT)
         self.assertIn("--token-file", second.stderr)
 
+    def test_the_token_that_it_needs_can_be_asked_for(self):
+        def printed(*flags):
+            command = [SERVER, "--db", self.folder / "t.db", "--print-token", *flags]
+            return subprocess.run(command, capture_output=True, text=True, timeout=60, check=True).stdout
+
+        self.assertEqual(printed("--no-token"), "\n")
+        given = self.write("given", "a token of one's own".replace(" ", "-"))
+        given.chmod(0o600)
+        self.assertEqual(printed("--token-file", given), "a-token-of-one's-own\n")
+        made = printed()
+        self.assertEqual(printed(), made)
+        kept = self.folder / "t.db-token"  # where others may log in
+        self.assertEqual(made, kept.read_text() if kept.exists() else "\n")
+
 
 class Limits(ServerTest):
     flags = ("--vertices", "300", "--queue", "1", "--running-jobs", "1")

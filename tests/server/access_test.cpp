@@ -58,6 +58,20 @@ TEST_F(TokenFile, ItMustBeClosedToOthers) {
   EXPECT_FALSE(read(kToken, 0640, 1));
 }
 
+TEST_F(TokenFile, IsMadeOnceForItsOwnerAlone) {
+  const Expected<std::string> made = kept_token(path_);
+  ASSERT_TRUE(made);
+  EXPECT_GE(made->size(), 32u);
+  struct stat status {};
+  ASSERT_EQ(stat(path_.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777u, 0600u);
+  EXPECT_EQ(*kept_token(path_), *made) << "a link to the page outlives a start";
+  std::filesystem::permissions(path_, std::filesystem::perms::others_read,
+                               std::filesystem::perm_options::add);
+  EXPECT_FALSE(kept_token(path_)) << "others know it";
+  EXPECT_FALSE(kept_token(path_ + "/no/such/folder"));
+}
+
 TEST_F(TokenFile, ItMustBeAFile) {
   EXPECT_FALSE(read_token(path_ + ".none"));
   EXPECT_FALSE(read_token("/dev/zero"));
