@@ -19,10 +19,23 @@ void bind(sqlite3_stmt* statement, int parameter, const SqlValue& value) {
   }  // else it stays NULL
 }
 
+/// Then what is written would go with this process.
+bool has_moved(const StoreDatabase& database) {
+  const Statement any = database.prepare("BEGIN");
+  int moved = 0;
+  if (any)
+    sqlite3_file_control(sqlite3_db_handle(any.get()), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved != 0;
+}
+
 }  // namespace
 
 Transaction::Transaction(StoreConnection& connection, Kind kind, std::string problem)
     : database_(connection.database), lock_(connection.mutex), problem_(std::move(problem)) {
+  if (kind == Kind::Write && has_moved(database_))
+    refuse(ErrorCode::InputOutput,
+           database_.file() + ": " + problem_ +
+               ": the file has been moved away or removed since it was opened");
   run(kind == Kind::Write ? "BEGIN IMMEDIATE" : "BEGIN");
 }
 

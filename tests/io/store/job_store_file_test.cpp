@@ -110,6 +110,25 @@ TEST(JobStoreFile, IsNotOpenedIfItsLockCannotBe) {
   expect_store_refused<JobStore>(path, "a.db-lock: cannot be locked: Is a directory");
 }
 
+TEST(JobStoreFile, TakesNothingMoreOnceItIsNotWhereItWas) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.db");
+  Expected<JobStore> store = JobStore::open(path, 20);
+  ASSERT_TRUE(store);
+  submit(*store, 1);
+  std::filesystem::rename(path, folder.file("b.db"));
+  const Expected<JobStore::Submitted> refused = store->submit(numbered_job(2), "{}", 5);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.errors().front().code, ErrorCode::InputOutput);
+  EXPECT_EQ(
+      refused.errors().front().message,
+      path + ": a job cannot be kept: the file has been moved away or removed since it was opened");
+  EXPECT_FALSE(store->check_writable().empty());
+  EXPECT_EQ(job_of(*store, numbered_id(1)).state, JobState::Queued) << "what is there is read";
+  std::filesystem::rename(folder.file("b.db"), path);
+  submit(*store, 2);
+}
+
 TEST(JobStoreFile, IsBusyWhileAnotherApplicationLocksItAndGoesOnAfterwards) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.db");
