@@ -10,13 +10,18 @@ namespace coapt {
 inline constexpr std::string_view kKeptPlanPath = "/v1/kept-plans/kept";
 
 /// Requests with a body, which is what follows: POST, but for kKeptPlanPath. The byte is 'a' and the place in this list.
-inline constexpr std::array<std::string_view, 14> kBodyPaths = {
-    "/v1/valves",          "/v1/valves:validate", "/v1/closures",   "/v1/scenes", "/v1/exports",
-    "/v1/pictures",        "/v1/evaluations",     "/v1/reports",    "/v1/plans",  "/v1/studies",
-    "/v1/jobs/job:cancel", "/v1/openings",        "/v1/kept-plans", kKeptPlanPath};
+inline constexpr std::array<std::string_view, 20> kBodyPaths = {
+    "/v1/valves",          "/v1/valves:validate", "/v1/closures",        "/v1/scenes",
+    "/v1/exports",         "/v1/pictures",        "/v1/evaluations",     "/v1/reports",
+    "/v1/plans",           "/v1/studies",         "/v1/jobs/job:cancel", "/v1/openings",
+    "/v1/kept-plans",      kKeptPlanPath,         "/v1/valves:import",   "/v1/imports",
+    "/v1/imports:preview", "/v1/diagnoses",       "/v1/physiology",      "/v1/preferences"};
+
+/// Forms to kFormPath: what follows is the body, its parts divided by kFormBoundary. Their byte comes after those of the paths above.
+inline constexpr std::string_view kFormPath = "/v1/valves:import", kFormBoundary = "X";
 
 /// Requests without a body: what follows is path and query, as after percent-decoding. Their bytes come
-/// after those of the paths above.
+/// after that of forms.
 inline constexpr std::array<std::string_view, 2> kOtherMethods = {"GET", "DELETE"};
 
 /// In the store from the start: an ended search, a waiting one, the valve of both, a plan kept for it.

@@ -14,6 +14,7 @@
 #include "io/store/kept_plans.h"
 #include "io/store/stored_valves.h"
 #include "server/farm_watch.h"
+#include "server/form_body.h"
 #include "server/routes.h"
 #include "server/service.h"
 #include "tests/fuzz/endpoint_choice.h"
@@ -46,6 +47,7 @@ ServiceLimits small_limits() {
   limits.vertices = static_cast<int>(small_valve().rest_mm.rows());
   limits.evaluation_closures = 2;
   limits.wait_seconds = 0;
+  limits.request_seconds = 600.0;  // sanitizers take theirs
   return limits;
 }
 
@@ -77,6 +79,7 @@ struct Bench {
                   .known = known,
                   .parsing = parsing,
                   .compute = compute,
+                  .imports = {limits},
                   .reports = reports,
                   .farm = farm,
                   .metrics = metrics,
@@ -99,16 +102,24 @@ struct Bench {
 };
 
 Request request_of(std::uint8_t choice, std::string_view rest) {
-  constexpr std::size_t kChoices = kBodyPaths.size() + kOtherMethods.size();
+  constexpr std::size_t kForms = kBodyPaths.size(), kChoices = kForms + 1 + kOtherMethods.size();
   const std::size_t index = (choice + 256u - 'a') % 256u % kChoices;
   Request request;
-  if (index < kBodyPaths.size()) {
+  if (index == kForms) {
+    request.path = kFormPath;
+    request.method = "POST";
+    const Expected<std::string> body =
+        json_of_form(rest, "multipart/form-data; boundary=" + std::string(kFormBoundary));
+    if (body) request.body = *body;
+    return request;
+  }
+  if (index < kForms) {
     request.path = kBodyPaths[index];
     request.method = kBodyPaths[index] == kKeptPlanPath ? "PATCH" : "POST";
     request.body = rest;
     return request;
   }
-  request.method = kOtherMethods[index - kBodyPaths.size()];
+  request.method = kOtherMethods[index - kForms - 1];
   const std::size_t mark = std::min(rest.find('?'), rest.size());
   request.path = rest.substr(0, mark);
   rest.remove_prefix(std::min(mark + 1, rest.size()));

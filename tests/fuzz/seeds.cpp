@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
@@ -54,6 +55,50 @@ constexpr std::string_view kReads[] = {"/v1/jobs?page_size=2&page_token=9&state=
                                        "/metrics",
                                        "/version"};
 
+/// The small valve's leaflets as files of a segmentation tool.
+Json an_import() {
+  const Valve& valve = small_valve();
+  std::ostringstream mesh, annulus;
+  const auto row = [](std::ostream& to, const Vec3& point, char between) {
+    to << point.x() << between << point.y() << between << point.z();
+  };
+  for (Index v = 0; v < valve.rest_mm.rows(); ++v) {
+    mesh << "v ";
+    row(mesh, valve.rest_mm.row(v), ' ');
+    mesh << '\n';
+  }
+  for (const auto face : valve.faces.rowwise())
+    mesh << "f " << face[0] + 1 << ' ' << face[1] + 1 << ' ' << face[2] + 1 << '\n';
+  for (const int vertex : valve.annulus) {
+    row(annulus, valve.rest_mm.row(vertex), ',');
+    annulus << '\n';
+  }
+  const auto file = [](const char* name, const std::ostringstream& text) {
+    return Json{{"name", name}, {"text", text.str()}};
+  };
+  return {{"leaflets", {file("skirt.obj", mesh)}},
+          {"annulus", file("annulus.csv", annulus)},
+          {"chordae_seed", 1},
+          {"triangles", 100}};
+}
+
+/// The same as a form.
+std::string form_of(const Json& import) {
+  std::string form;
+  const auto part = [&form](const std::string& name, const std::string& content) {
+    form += "--" + std::string(kFormBoundary) + "\r\nContent-Disposition: form-data; name=" + name +
+            "\r\n\r\n" + content + "\r\n";
+  };
+  const auto file = [&part](const std::string& name, const Json& of) {
+    part(name + "; filename=" + of["name"].get<std::string>(), of["text"]);
+  };
+  file("leaflets", import["leaflets"][0]);
+  file("annulus", import["annulus"]);
+  part("chordae_seed", "1");
+  part("triangles", "100");
+  return form + "--" + std::string(kFormBoundary) + "--\r\n";
+}
+
 /// Requests to each endpoint: small valves inside, jobs and valves that fuzz_endpoints has in its store.
 void write_requests(const std::filesystem::path& folder) {
   const Json valve = Json::parse(write_valve(small_valve()));
@@ -71,6 +116,9 @@ void write_requests(const std::filesystem::path& folder) {
                       {"displacement_step_mm", 6},
                       {"region_points", 17},
                       {"scan_sites", 0}};
+  const Json import = an_import();
+  Json fitted = import;
+  fitted["fit"] = {{"surface", import["leaflets"][0]}, {"rounds", 1}};
   const std::array<Json, kBodyPaths.size()> bodies = {
       valve,
       valve,
@@ -83,13 +131,22 @@ void write_requests(const std::filesystem::path& folder) {
       {{"valve", valve}, {"search", search}},
       {{"valve", kStoredValve}, {"study", study}},
       Json::object(),
+      {{"valve", kStoredValve}, {"plan", plan}},
       {{"name", "A plan"}, {"valve", kStoredValve}, {"plan", plan}},
-      {{"name", "Another name"}}};
+      {{"name", "Another name"}},
+      import,
+      fitted,
+      {{"files", {import["leaflets"][0], import["annulus"]}}},
+      {{"valve", kStoredValve}},
+      {{"valve", kStoredValve}},
+      {{"cases", Json::array()}, {"answers", Json::array()}}};
   char choice = 'a';
   for (const Json& body : bodies) {
     write(folder / std::string(1, choice), choice + body.dump());
     ++choice;
   }
+  write(folder / "form", choice + form_of(import));
+  ++choice;
   int number = 0;
   for (const std::string_view path : kReads)
     write(folder / ("get-" + std::to_string(number++)), choice + std::string(path));
