@@ -79,6 +79,10 @@ class Arrays(EngineTest):
             problems, text = self.refused_arrays(vertices_mm=given)
             self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
             self.assertIn(f"is a {named}, must be an array of float64, shape (n, 3)", text)
+        many = numpy.broadcast_to(points[0], (10**8, 3))  # a row's memory
+        problems, text = self.refused_arrays(vertices_mm=many)
+        self.assertEqual(problems, [("/vertices_mm", "out_of_range")])
+        self.assertIn("100000000 rows, must have at most 3000000", text)
         points[7, 1] = numpy.nan
         self.assertEqual(self.refused_arrays(vertices_mm=points)[0], [("/vertices_mm/7", "out_of_range")])
         paths = [path for path, _ in self.refused_arrays(faces=self.valve.faces + numpy.int32(1000))[0]]

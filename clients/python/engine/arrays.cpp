@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "clients/python/engine/problems.h"
+#include "io/mesh/import_valve.h"
 
 namespace py = pybind11;
 
@@ -15,6 +16,8 @@ py::array view_of(const Matrix& rows, const py::object& owner) {
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
+
+constexpr Index kMostRows = 3 * kMostFaces;  // corners of the largest mesh that is compared
 
 /// @param type numpy's name of Number
 template <class Number, class Matrix>
@@ -32,6 +35,10 @@ Matrix rows_of(const py::object& given, const std::string& path, const std::stri
     throw Problems(
         {{ErrorCode::WrongType, path,
           "has shape " + py::str(array.attr("shape")).cast<std::string>() + ", must have (n, 3)"}});
+  if (array.shape(0) > kMostRows)
+    throw Problems({{ErrorCode::OutOfRange, path,
+                     "has " + std::to_string(array.shape(0)) + " rows, must have at most " +
+                         std::to_string(kMostRows)}});
   const auto numbers = array.cast<py::array_t<Number>>().template unchecked<2>();
   Matrix rows(array.shape(0), 3);
   for (Index i = 0; i < rows.rows(); ++i)
