@@ -181,7 +181,7 @@ struct Valve {
   SystolicMotion systole;                     ///< of a mitral valve
   std::optional<DrawnChordae> drawn_chordae;  ///< none: they were seen, or belong to the model
   std::optional<FittedValues> fitted;         ///< none: it was not fitted, or exactly
-  std::vector<Observation> observed;    ///< of its closed state; at most one of a figure
+  std::vector<Observation> observed;          ///< of its closed state; at most one of a figure
   std::optional<PatientFrame> patient;  ///< none: it was not made from images, or nobody knows
 };
 

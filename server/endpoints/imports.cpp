@@ -23,7 +23,7 @@ Answer ImportValve::operator()(const Request& request) const {
                         [&](RequestClosures& closures) {
                           Answer answer = read(reader, ImportStep::Valve, request, closures);
                           if (answer.status != 200) return answer;
-                          const Expected<ImportedValve> made = import_from(document_of(answer));
+                          const Expected<ImportedValve> made = import_from(answer_document(answer));
                           if (!made) return problem(422, made.errors());
                           return store_valve(store, reader.limits, made->valve,
                                              {{"decisions", to_json(made->decisions)}});
@@ -37,7 +37,7 @@ Answer PostImports::operator()(const Request& request) const {
       compute, reader.limits, request, TurnCost::Long, [&](RequestClosures& closures) {
         Answer answer = read(reader, ImportStep::Submission, request, closures);
         if (answer.status != 200) return answer;
-        const Json document = document_of(answer);
+        const Json document = answer_document(answer);
         Expected<ImportedValve> made = import_from(document);
         if (!made) return problem(422, made.errors());
         valve = std::move(made->valve);

@@ -119,8 +119,9 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
       reader(ImportStep::Job, *body, budget, reader.limits.seconds - job.seconds(),
              JobRunner::kBelowRequests);
   if (!answer) throw std::runtime_error(kJobStops);
-  const Json read = document_of(*answer);
-  if (answer->status != 200) return failed(job, errors_from_json(read.value("problems", Json::array())));
+  const Json read = answer_document(*answer);
+  if (answer->status != 200)
+    return failed(job, errors_from_json(read.value("problems", Json::array())));
   Expected<ImportedValve> imported = import_from(read);
   if (!imported) return failed(job, imported.errors());
   Valve made = imported->valve;

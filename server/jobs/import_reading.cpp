@@ -230,7 +230,7 @@ std::optional<Answer> ImportReader::operator()(ImportStep step, const std::strin
       "Import them offline (coapt valve import), and please report it if that fails, too");
 }
 
-Json document_of(const Answer& answer) {
+Json answer_document(const Answer& answer) {
   if (const auto* json = std::get_if<Json>(&answer.body)) return *json;
   const Expected<Json> json = parse_json(std::get<Content>(answer.body).bytes);
   return json ? *json : Json::object();

@@ -42,7 +42,7 @@ struct ImportReader {
 };
 
 /// Of such an answer. @pre it is JSON
-Json document_of(const Answer& answer);
+Json answer_document(const Answer& answer);
 
 /// With the valve, units, decisions, parts and thickness; of its input only whether it was closed. Whatever process the document
 /// comes from, it is read as strictly as a client's.
