@@ -22,6 +22,8 @@ constexpr double kFirstNoise_mm = 0.5;
 constexpr double kFirstShare = 0.1;  // of points that are independent
 constexpr double kIdentified = 0.5;
 constexpr double kFarRms_mm = 2.0;  // a fit that ends there has not met the surface
+constexpr double kNearRms_mm =
+    0.3;  // one that ends here has, however its distances lie beside each other
 // Answers whose rms distances differ by less are as near as each other: then the more probable one is taken.
 constexpr double kAsNear = 1.02;
 
@@ -100,7 +102,8 @@ std::vector<std::string> doubts_of(const ValveFit& fit) {
     doubts.push_back(
         "the valve could not be brought to the surface: " + with_decimals(fit.rms_mm, 2) +
         " mm rms is more than " + with_decimals(kFarRms_mm, 0) + " mm");
-  if (fit.independent_points < static_cast<double>(fit.parameters.size()))
+  if (fit.rms_mm > kNearRms_mm &&
+      fit.independent_points < static_cast<double>(fit.parameters.size()))
     doubts.push_back(
         "the surface weighs as " + std::to_string(std::lround(fit.independent_points)) +
         " independent points, fewer than the " + std::to_string(fit.parameters.size()) +

@@ -118,8 +118,8 @@ struct ValveFit {
   std::vector<std::string> left_out;  ///< that there was no time to screen, or to refit
 };
 
-/// What a person should check of it against the images, a clause each: it ends more than 2 mm rms from the surface, or the surface has
-/// fewer independent points than the fit has parameters. Empty: nothing.
+/// What a person should check of it against the images, a clause each: it ends more than 2 mm rms from the surface, or more than 0.3 mm and the
+/// surface has fewer independent points than the fit has parameters. Empty: nothing.
 std::vector<std::string> doubts_of(const ValveFit& fit);
 
 /// Deterministic, for any number of threads. Errors: "/points_mm" too few or far from the valve, "/leak_mm2", nothing unknown, a valve that does not close.

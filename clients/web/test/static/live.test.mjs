@@ -48,7 +48,7 @@ async function closedVertices() {
 /// A place of the posterior leaflet's belly in the atrial view.
 async function tissue(shift = 0) {
   const { x, y, width, height } = await page.locator('[data-part=live] canvas').boundingBox()
-  return { x: x + width * (0.5 + shift), y: y + height * 0.68 }
+  return { x: x + width * (0.5 + shift), y: y + height * 0.72 }
 }
 
 test('it closes as a closure does', async () => {
