@@ -30,7 +30,10 @@ class Close(ProgramTest):
         for key in ["leak_mm2", "residual", "seconds"]:
             self.assertIsInstance(closure[key], (int, float), key)
         self.assertEqual(closure["schema"], "coapt.closure/2")
-        self.assertEqual(set(closure["leak"]), {"area_mm2", "error_mm2", "between_mm2", "openings"})
+        self.assertEqual(
+            set(closure["leak"]),
+            {"area_mm2", "error_mm2", "numerical", "tissue", "execution", "between_mm2", "openings"},
+        )
         self.assertEqual(closure["leak"]["area_mm2"], closure["leak_mm2"])
 
     def test_a_healthy_valve_is_competent_and_the_functional_one_leaks(self):

@@ -12,7 +12,7 @@ from coapt import Plan, plots
 from programs import SOURCE, small_valve
 
 PLANS = SOURCE / "examples/plans"
-UNITS = ("mm", "mm²", "N", "degrees", "closures")
+UNITS = ("mm", "mm²", "N", "degrees", "closures", "steps")
 
 
 @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "matplotlib is not installed")

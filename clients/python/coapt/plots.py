@@ -200,7 +200,7 @@ def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
     axes.yaxis.set_major_formatter("{x:g}")
     axes.set_ylim(0.0, 1.2 * highest if highest else 1.0)
     axes.set_xlabel("closures")
-    axes.set_ylabel("search score of the best plan so far")
+    axes.set_ylabel("search score of the best plan so far, steps")
     axes.legend()
     return axes
 
