@@ -53,8 +53,7 @@ Estimate leak_before(const ValveMeasure& before, double estimated_mm2, const Fin
                      const ModelClosures& model) {
   Estimate leak{before.leak.area_mm2};
   leak.numerical = numerical(before, fine.before ? &*fine.before : nullptr, fine.triangles);
-  if (!model.contradicts)
-    leak.tissue = changed(addresses(model.before), estimated_mm2, leak.value);
+  if (!model.contradicts) leak.tissue = changed(addresses(model.before), estimated_mm2, leak.value);
   return leak;
 }
 

@@ -109,6 +109,7 @@ class Completion(unittest.TestCase):
                     "export",
                     "fit",
                     "evaluate",
+                    "observe",
                     "open",
                     "plan",
                     "population",
