@@ -177,12 +177,17 @@ std::string leak_and_error(const Json& leak) {
 std::string draws_words(const Json& draws) {
   const std::string words = counted(draws["draws"].get<long>(), "draw") + " of tissue and chordae";
   if (draws["observed"].empty()) return words;
-  if (draws["contradicts_model"].get<bool>())
-    return words +
-           ". What was observed contradicts the model: no draw lies within three standard "
-           "deviations of it, so it weighs none";
-  return words + ", weighed by what was observed of the valve: they say as much as " +
-         fixed(number_of(draws["effective"]), 0) + " that weigh alike";
+  const bool contradicts = draws["contradicts_model"].get<bool>();
+  return words +
+         (contradicts ? ". What was observed "
+                      : ", weighed by what was observed of the valve: they ") +
+         weight_words(contradicts, number_of(draws["effective"]));
+}
+
+std::string weight_words(bool contradicts, double effective) {
+  return contradicts ? "contradicts the model: no draw lies within three standard deviations of "
+                       "it, so it weighs none"
+                     : "say as much as " + fixed(effective, 0) + " that weigh alike";
 }
 
 double number_of(const Json& value) {

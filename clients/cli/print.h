@@ -19,6 +19,10 @@ std::string leak_and_error(const Json& leak);
 /// as many as 23 that weigh alike".
 std::string draws_words(const Json& draws);
 
+/// How draws weigh by what was observed, the end of a sentence: "contradicts the model: ...", said of what was observed, or "say as much as 23
+/// that weigh alike", of the draws.
+std::string weight_words(bool contradicts, double effective);
+
 /// NaN if it is null.
 double number_of(const Json& value);
 

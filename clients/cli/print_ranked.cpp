@@ -123,14 +123,11 @@ void print_model_draws(std::ostream& out, const Json& result) {
           ", the same for all plans; unrepaired leak " + unrepaired + " mm2" +
           (result["plans"].empty() ? "" : ". How likely a plan leaks mildly counts them"));
   if (model->value("observed", Json::array()).empty()) return;
-  print_words(
-      out, "Observed: ",
-      (*model)["contradicts_model"].get<bool>()
-          ? "it contradicts the model: no draw lies within three standard deviations of it, "
-            "so it weighs none"
-          : "the draws are picked as they agree with what was observed of the valve; they say "
-            "as much as " +
-                fixed(number_of((*model)["effective"]), 0) + " that weigh alike");
+  const bool contradicts = (*model)["contradicts_model"].get<bool>();
+  const char* const who =
+      contradicts ? "it "
+                  : "the draws are picked as they agree with what was observed of the valve; they ";
+  print_words(out, "Observed: ", who + weight_words(contradicts, number_of((*model)["effective"])));
 }
 
 /// What the finer mesh was for, and whether it would order the plans otherwise.

@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
+#include "clients/cli/print.h"
 #include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
 #include "core/valve/number_text.h"
@@ -55,12 +56,11 @@ TableRows parameters_table(const ModelStudy& study) {
 std::string lead_of(const ModelStudy& study) {
   return counted(static_cast<long>(study.draws.size()), "draw") + " of the model's own values, " +
          std::to_string(study.untrusted) + " not trusted and left out." +
-         (study.observed.empty() ? ""
-          : study.contradicts
-              ? " What was observed contradicts the model: no draw lies within three standard "
-                "deviations of it, so it weighs none."
-              : " They are weighed by what was observed of the valve and say as much as " +
-                    fixed(study.effective, 0) + " that weigh alike.");
+         (study.observed.empty()
+              ? ""
+              : (study.contradicts ? " What was observed "
+                                   : " They are weighed by what was observed of the valve and ") +
+                    weight_words(study.contradicts, study.effective) + ".");
 }
 
 std::string decides_words(const ModelStudy& study) {

@@ -12,7 +12,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/service"))
 
-from served import Server, parser_of, report  # noqa: E402
+from served import Server, parser_of, percentile, report  # noqa: E402
 
 
 def beside(server, heavy, clients, seconds, small):
@@ -42,13 +42,12 @@ def beside(server, heavy, clients, seconds, small):
     ended.set()
     for thread in threads:
         thread.join()
-    waits.sort()
     return {
         "clients": clients,
         "small": len(waits),
         "refused": refused,
-        "median_s": round(waits[len(waits) // 2], 2),
-        "worst_s": round(waits[-1], 2),
+        "median_s": round(percentile(waits, 50), 2),
+        "worst_s": round(max(waits), 2),
         "heavy": {str(status): count for status, count in answers.items()},
     }
 

@@ -29,6 +29,10 @@ constexpr double kAlongUnit = 0.07;
 constexpr double kOtherKind = 10.0;  // apart: nothing in common
 constexpr Eigen::Index kMostNeochordae = 4;
 
+OperationMerits operation_of(const PlanRecord& plan) {
+  return {plan.effort, plan.muscles, plan.free_anchors, plan.avoidable_warnings};
+}
+
 }  // namespace
 
 bool is_infeasible(const PlanRecord& record) {
@@ -104,10 +108,8 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
       }
     made->avoidable_warnings = avoidable_warnings(gates);
     made->lowest_cost = effort_price(made->effort, options_.weights);
-    made->least_guide = options_.guide_by_price
-                            ? made->lowest_cost
-                            : least_guide({made->effort, made->muscles, made->free_anchors,
-                                           made->avoidable_warnings});
+    made->least_guide =
+        options_.guide_by_price ? made->lowest_cost : least_guide(operation_of(*made));
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   return *records_.try_emplace(key, std::move(made)).first->second;
@@ -356,10 +358,10 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
       mild += probability_mild(closure.leak_mm2, static_cast<int>(valve_.faces.rows())) / count;
   }
   CostTerms all = terms(plan, count);
-  if (const std::optional<Durability> lasts = durability(plan); lasts && count >= kChosenBy)
-    all.amounts += durability_terms(*lasts).amounts;
-  return coapt::guide(all, mild,
-                      {plan.effort, plan.muscles, plan.free_anchors, plan.avoidable_warnings});
+  if (count >= kChosenBy)
+    if (const std::optional<Durability> lasts = durability(plan))
+      all.amounts += durability_terms(*lasts).amounts;
+  return coapt::guide(all, mild, operation_of(plan));
 }
 
 double PlanEvaluations::movement_guide() const {
