@@ -6,8 +6,8 @@
 
 #include "core/closure/closure.h"
 #include "core/presets/presets.h"
-#include "core/valve/validate.h"
 #include "core/valve/parametric.h"
+#include "core/valve/validate.h"
 #include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 
