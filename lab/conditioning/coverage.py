@@ -65,7 +65,9 @@ def main():
     held, widths, effective = map(np.array, (held, widths, effective))
     alike = np.ones(len(after))
     low, high = (quantile(after, alike, share) for share in (0.05, 0.95))
-    print(f"{known.sum()} draws closed before and after; repaired leak {low:.1f} to {high:.1f} mm2 without an observation")
+    print(
+        f"{known.sum()} draws closed before and after; repaired leak {low:.1f} to {high:.1f} mm2 without an observation"
+    )
     enough = effective >= LEAST_EFFECTIVE
     for name, which in (("all", np.full(len(held), True)), (f"{LEAST_EFFECTIVE:.0f} effective draws or more", enough)):
         if which.any():

@@ -60,7 +60,16 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "heavy.json"
-        make = (options.coapt, "valve", "make", "human-functional-mr", "--triangles", str(options.triangles), "-o", path)
+        make = (
+            options.coapt,
+            "valve",
+            "make",
+            "human-functional-mr",
+            "--triangles",
+            str(options.triangles),
+            "-o",
+            path,
+        )
         subprocess.run(make, check=True)
         flags = ("--request-seconds", 10)
         server = Server(options.server, pathlib.Path(folder) / "jobs.sqlite", *map(str, flags))

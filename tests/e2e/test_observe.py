@@ -15,13 +15,17 @@ class Observe(ProgramTest):
 
     def test_stores_figures_with_their_source_and_replaces_those_given_before(self):
         path = self.observed("--leak", "30", "--leak-sd", "8", "--source", "3D planimetry")
-        again = coapt("observe", path, "--leak", "20", "--leak-sd", "4", "--widest-gap", "3", "--widest-gap-sd", "0.5", "-o", "-")
+        again = coapt(
+            "observe", path, "--leak", "20", "--leak-sd", "4", "--widest-gap", "3", "--widest-gap-sd", "0.5", "-o", "-"
+        )
         self.assertEqual(
             json.loads(again.stdout)["observed"],
             {"leak_mm2": {"value": 20, "sd": 4}, "widest_gap_mm": {"value": 3, "sd": 0.5}},
         )
         with open(path, encoding="utf-8") as file:
-            self.assertEqual(json.load(file)["observed"], {"leak_mm2": {"value": 30, "sd": 8, "source": "3D planimetry"}})
+            self.assertEqual(
+                json.load(file)["observed"], {"leak_mm2": {"value": 30, "sd": 8, "source": "3D planimetry"}}
+            )
         self.assertNotIn("observed", json.loads(coapt("observe", path, "--forget", "-o", "-").stdout))
 
     def test_refuses_what_it_cannot_weigh_by(self):
