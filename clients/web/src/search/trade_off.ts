@@ -28,7 +28,7 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
           label: 'leak over the region, mean + sd, mm²',
           least: 1.2 * COMPETENT_MM2,
           most: Math.max(GOOD_REPAIR_MM2, ...ranked.map(({ x }) => x)),
-          limit: { value: COMPETENT_MM2, label: 'above 1 mm²: more than a trace' },
+          limit: { value: COMPETENT_MM2, label: 'from 1 mm²: mild' },
         },
         y: {
           label: 'opening, cm²',
