@@ -82,6 +82,16 @@ void print_row(std::ostream& out, const Json& plan) {
       << known(plan["ring_sizes_below"]) << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
 }
 
+void print_beaten(std::ostream& out, const Json& plan) {
+  const auto beaten = plan.find("beaten_by");
+  if (beaten == plan.end() || beaten->is_null()) return;  // not of earlier releases
+  std::string words;
+  for (const std::string figure : (*beaten)["in"]) words += (words.empty() ? "" : " and ") + figure;
+  print_words(out, "      ",
+              "plan " + std::to_string((*beaten)["rank"].get<int>()) +
+                  " is at least as good in leak, opening and durability, and better in " + words);
+}
+
 /// Whether the finer mesh gave it another place.
 bool changed_place(const Json& plan) {
   const Json& fine = plan["fine"];
@@ -167,6 +177,7 @@ void print_plan(std::ostream& out, const Json& plan) {
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
   if (const auto leak = plan.find("leak"); leak != plan.end())  // not of earlier releases
     print_words(out, "      ", "leak as planned: " + leak_and_error(*leak));
+  print_beaten(out, plan);
   print_fine(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';

@@ -156,6 +156,11 @@ Json leak_json(const RankedPlan& ranked) {
   return json;
 }
 
+Json beaten_json(const RankedPlan& ranked) {
+  if (ranked.beaten_by == 0) return {};
+  return {{"rank", ranked.beaten_by}, {"in", ranked.beaten_in}};
+}
+
 Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   Json json = {{"rank", ranked.rank}};
@@ -177,6 +182,8 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"region_failures", region.failures},
                {"margin_to_leak", margin_json(region.margin_to_leak)},
                {"pareto", ranked.pareto},
+               {"beaten_by", beaten_json(ranked)},
+               {"times_first", ranked.times_first},
                {"probability_outranks_next", ranked.probability_outranks_next},
                {"acceptable_probability", ranked.acceptable_probability},
                {"class", ranked.of_class},

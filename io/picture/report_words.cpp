@@ -7,8 +7,8 @@
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/limits.h"
+#include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
-#include "core/valve/annulus_frame.h"
 #include "io/json/plan_json.h"
 #include "io/picture/text.h"
 
@@ -35,15 +35,6 @@ struct Operated {
   Expected<Valve> repaired;
 };
 
-double ring_across_mm(const OwnRing& ring, double annulus_mm) {
-  return annulus_mm - kRingSizeStep_mm * ring.sizes_below;
-}
-double ring_across_mm(const CatalogueRing& ring, double /*annulus_mm*/) {
-  const RingShape* shape = find_ring(ring.shape);
-  return shape != nullptr ? ring_width_mm(*shape, ring.size_mm) : std::nan("");
-}
-double ring_across_mm(const DesignedRing& ring, double /*annulus_mm*/) { return ring.size_mm; }
-
 std::string ring_words(const OwnRing& ring) {
   return "Annuloplasty ring in the annulus's own shape, " +
          (ring.sizes_below == 0 ? "not undersized"
@@ -59,10 +50,6 @@ std::string ring_words(const DesignedRing& ring) {
 
 StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t) {
   const Valve& valve = operated.before.valve;
-  const double across = transverse_diameter_mm(valve);
-  const double ring_across =
-      std::visit([&](const auto& ring) { return ring_across_mm(ring, across); }, step.ring);
-  const double narrower = (across - ring_across) / kRingSizeStep_mm;
   const AnnulusMeasure& was = operated.before.measure.annulus;
   const AnnulusMeasure& is = operated.plan.measure.annulus;
   StepWords told;
@@ -71,10 +58,9 @@ StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t)
     told.detail = capitalised(std::string(shape->note)) + ". ";
   told.detail += "Annulus from " + fixed(was.al_pm_mm, 1) + " × " + fixed(was.ap_mm, 1) + " to " +
                  fixed(is.al_pm_mm, 1) + " × " + fixed(is.ap_mm, 1) +
-                 " mm (across × front to back). Undersized by " +
-                 fixed(operated.plan.effort.sizes_below, 1) + " sizes by area, " +
-                 (std::isfinite(narrower) ? fixed(std::max(0.0, narrower), 1) : "n/a") +
-                 " in width (2 mm a size).";
+                 " mm (across × front to back), " + fixed(operated.plan.effort.sizes_below, 1) +
+                 " sizes of 2 mm below the true size of " + fixed(true_ring_size_mm(valve), 1) +
+                 " mm.";
   return told;
 }
 

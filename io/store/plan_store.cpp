@@ -32,20 +32,22 @@ CREATE TABLE closures (
   coaptation_mm ANY,      -- likewise, as all below
   distance_max_mm ANY,
   tension_max_n ANY,
+  leaflet_ratio ANY,
   PRIMARY KEY (subject, plan, disturbance)
 ) STRICT, WITHOUT ROWID;
 )",
     // What release 0.2 kept is of subjects that are not asked for again.
     .upgrade =
         "ALTER TABLE closures RENAME COLUMN orifice_mm2 TO "
-        "leak_mm2; ALTER TABLE closures DROP COLUMN gap_mm2;",
+        "leak_mm2; ALTER TABLE closures DROP COLUMN gap_mm2; "
+        "ALTER TABLE closures ADD COLUMN leaflet_ratio ANY;",
     // 16 MB: a third faster than 1,000 where every plan is new
     .log_pages = 4000};
 
 // Not INSERT OR IGNORE, which would pass over every constraint and not only over the key's. No row if subject or
 // plan has no name in the file yet.
 constexpr const char* kInsertOutcome =
-    "INSERT INTO closures SELECT subjects.number, plans.number, ?, ?, ?, ?, ?, ?, ? "
+    "INSERT INTO closures SELECT subjects.number, plans.number, ?, ?, ?, ?, ?, ?, ?, ? "
     "FROM subjects CROSS JOIN plans WHERE subjects.name = ? AND plans.name = ? "
     "ON CONFLICT DO NOTHING";
 constexpr const char* kInsertSubject =
@@ -55,7 +57,8 @@ constexpr const char* kInsertPlan = "INSERT INTO plans (name) VALUES (?) ON CONF
 // CROSS JOIN: closures outside, plans inside. In the order of the key, so nothing is sorted.
 constexpr const char* kSelectOutcomes =
     "SELECT plan, name, disturbance, status, crossing, leak_mm2, coaptation_mm, "
-    "distance_max_mm, tension_max_n FROM closures CROSS JOIN plans ON plans.number = plan "
+    "distance_max_mm, tension_max_n, leaflet_ratio FROM closures CROSS JOIN plans ON plans.number "
+    "= plan "
     "WHERE subject = (SELECT number FROM subjects WHERE name = ?) ORDER BY plan, disturbance";
 
 constexpr SubjectTables kPlanTables = {
@@ -74,7 +77,8 @@ constexpr SubjectTables kPlanTables = {
 
 // The columns of floating point, in order.
 constexpr std::array kNumbers = {&PlanClosure::leak_mm2, &PlanClosure::coaptation_mm,
-                                 &PlanClosure::distance_max_mm, &PlanClosure::tension_max_n};
+                                 &PlanClosure::distance_max_mm, &PlanClosure::tension_max_n,
+                                 &PlanClosure::leaflet_ratio};
 
 /// As the file has it: its own numbers, which no change of the enumeration moves.
 int number_of(ClosureStatus status) {

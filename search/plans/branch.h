@@ -14,7 +14,7 @@ namespace coapt {
 
 enum class ChordalChoice { None, CutStruts, Shorten, Transfer };
 
-/// Where marginal chordae are ruptured. Triangular, Quadrangular (sliding): resections. Clip: edge to edge.
+/// At a lesion. Triangular, Quadrangular (sliding): resections of the posterior leaflet. Clip: edge to edge.
 enum class LeafletChoice { None, Triangular, Quadrangular, Clip };
 
 /// The discrete decisions of a plan; what is fixed is not among them.

@@ -10,8 +10,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kTensionRise = 3.0;  // neochordae 5 % too short: no leak, three times the force
-constexpr double kLowRatio = 1.3;
+constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
 constexpr double kTensionFloor_n = 0.2;  // below it a rise means nothing
 constexpr const char* kGrading = "echocardiographic grading";
 constexpr const char* kValidity = "validity of the simulation";
@@ -73,19 +72,20 @@ Gate chordal_tension(const Evaluation& repaired, const Evaluation& before) {
 }
 
 /// Of the valve alone: what else matters, the septum, is not in the model.
-Gate systolic_anterior_motion(const ValveMeasure& measure) {
+Gate systolic_anterior_motion(const Evaluation& repaired) {
   constexpr const char* kRule = "systolic_anterior_motion";
   constexpr const char* kSource =
       "risk after repair of degenerative valves: Maslow 1999, Popa 2013 (J Cardiothorac Surg 8:O2)";
-  const double ratio = measure.anterior_length_mm / measure.posterior_length_mm;
+  const ValveMeasure& measure = repaired.measure;
+  const double ratio = plan_closure(repaired).leaflet_ratio;
   if (!std::isfinite(ratio))
     return {kRule, GateSeverity::NotAssessed, "leaflets do not touch in the middle", kSource};
-  const bool low = ratio < kLowRatio;
+  const bool low = ratio < kLowLeafletRatio;
   return {kRule, low ? GateSeverity::Warn : GateSeverity::Pass,
           "anterior over posterior leaflet, annulus to coaptation: " +
               with_decimals(measure.anterior_length_mm, 0) + " / " +
               with_decimals(measure.posterior_length_mm, 0) + " mm = " + with_decimals(ratio, 1) +
-              ", " + (low ? "below " : "not below ") + shown(kLowRatio) +
+              ", " + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
               ", a static sign of risk; the other, less than 25 mm from coaptation to septum, "
               "is not in the model",
           kSource};
@@ -106,7 +106,7 @@ std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& be
                              contact(repaired.measure),
                              coaptation_height(repaired),
                              chordal_tension(repaired, before),
-                             systolic_anterior_motion(repaired.measure),
+                             systolic_anterior_motion(repaired),
                              regurgitation_grade(repaired.measure)};
   if (!trusted(repaired))
     for (std::size_t i = 2; i < gates.size(); ++i) {

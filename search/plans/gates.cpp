@@ -93,17 +93,15 @@ Gate ring_stenosis(const Operation& operation) {
 Gate undersizing(const Operation& operation) {
   Gate rule = gate("undersizing");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
-    const RingWidths width = widths(ring, operation);
-    const double sizes =
-        std::max({0.0, (width.transverse_mm - width.ring_mm) / kRingSizeStep_mm,
-                  effort(operation.valve, operation.repaired, operation.plan).sizes_below});
-    const std::string figure = "annulus made smaller by " + with_decimals(sizes, 1) +
-                               " ring sizes (of its width or area): ";
+    const double sizes = ring_sizes_below(operation.valve, operation.repaired);
+    const std::string figure = shape_of(ring) + " ring: " + with_decimals(sizes, 1) +
+                               " sizes below the true size of " +
+                               mm(true_ring_size_mm(operation.valve)) + " (by its area), ";
     if (sizes > kMostSizesBelow + kGateRounding)
       tell(rule, GateSeverity::Reject,
-           figure + "more than " + shown(kMostSizesBelow) + " ring sizes are rejected in practice");
+           figure + "more than " + shown(kMostSizesBelow) + " are rejected in practice");
     else
-      tell(rule, GateSeverity::Pass, figure + shown(kUsualSizesBelow) + " is usual undersizing");
+      tell(rule, GateSeverity::Pass, figure + "not more than " + shown(kMostSizesBelow));
   }
   return or_none(rule, "no ring");
 }

@@ -8,11 +8,12 @@
 namespace coapt {
 namespace {
 
-constexpr double kMuscle = 0.3, kFreeAnchor = 0.2, kWarning = 5.0, kUnlikely = 40.0;  // steps
+constexpr double kMuscle = 0.3, kFreeAnchor = 0.2, kResection = 0.15, kWarning = 5.0,
+                 kUnlikely = 40.0;  // steps
 
 double beside_effort(const OperationMerits& operation) {
   return kMuscle * operation.muscles + kFreeAnchor * operation.free_anchors +
-         kWarning * operation.avoidable_warnings;
+         kResection * operation.resections + kWarning * operation.avoidable_warnings;
 }
 
 }  // namespace

@@ -32,9 +32,11 @@ inline constexpr CostWeights kGuideWeights = {
 /// What is known of an operation before it is closed.
 struct OperationMerits {
   Effort effort;
-  int muscles = 0;             ///< that a suture moves
-  int free_anchors = 0;        ///< of sutures
-  int avoidable_warnings = 0;  ///< of operation_gates()
+  int muscles = 0;       ///< that a suture moves
+  int free_anchors = 0;  ///< of sutures
+  int resections = 0;
+  int avoidable_warnings =
+      0;  ///< of operation_gates(), and of the closure as planned once it is known
 };
 
 /// Of the operation alone: no plan costs less.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "core/repair/describe.h"
 #include "search/plans/durability.h"
@@ -31,8 +33,13 @@ struct Candidate {
   std::optional<double> opening_mm2, durability_mm;
 };
 
-/// Of each, whether no other beats it.
-std::vector<bool> unbeaten(const std::vector<Candidate>& all) {
+/// Of one plan, the first that beats it, and in what.
+struct Beaten {
+  std::optional<std::size_t> by;
+  std::vector<std::string> in;
+};
+
+std::vector<Beaten> beaten(const std::vector<Candidate>& all) {
   const bool opened =
       std::all_of(all.begin(), all.end(), [](const Candidate& one) { return one.opening_mm2; });
   const bool lasts =
@@ -42,10 +49,17 @@ std::vector<bool> unbeaten(const std::vector<Candidate>& all) {
     objectives.push_back({tenths(one.leak_mm2),
                           opened ? -tenths(0.01 * *one.opening_mm2) : one.price,
                           lasts ? -tenths(*one.durability_mm) : 0.0, one.price});
-  std::vector<bool> found;
-  for (const Objectives& mine : objectives)
-    found.push_back(std::none_of(objectives.begin(), objectives.end(),
-                                 [&](const Objectives& other) { return beats(other, mine); }));
+  const std::array<const char*, 4> names = {"leak", opened ? "opening" : "operation", "durability",
+                                            "operation"};
+  std::vector<Beaten> found(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t other = 0; other < all.size() && !found[i].by; ++other) {
+      if (!beats(objectives[other], objectives[i])) continue;
+      found[i].by = other;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        if (objectives[other][k] < objectives[i][k] && (k < 3 || found[i].in.empty()))
+          found[i].in.emplace_back(names[k]);
+    }
   return found;
 }
 
@@ -68,8 +82,13 @@ void mark_pareto(const CostWeights& weights, std::vector<RankedPlan>& plans) {
     candidates.push_back({leak, effort_price(plan.effort, weights), opening_of(plan.opening), {}});
     if (plan.durability) candidates.back().durability_mm = plan.durability->expected_mm;
   }
-  const std::vector<bool> found = unbeaten(candidates);
-  for (std::size_t i = 0; i < eligible.size(); ++i) eligible[i]->pareto = found[i];
+  const std::vector<Beaten> found = beaten(candidates);
+  for (std::size_t i = 0; i < eligible.size(); ++i) {
+    eligible[i]->pareto = !found[i].by;
+    if (!found[i].by) continue;
+    eligible[i]->beaten_by = eligible[*found[i].by]->rank;
+    eligible[i]->beaten_in = found[i].in;
+  }
 }
 
 std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
@@ -98,9 +117,9 @@ std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
     made.nodes = nodes;
     all.push_back(std::move(made));
   }
-  const std::vector<bool> found = unbeaten(candidates);
+  const std::vector<Beaten> found = beaten(candidates);
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (found[i]) front.push_back(std::move(all[i]));
+    if (!found[i].by) front.push_back(std::move(all[i]));
   std::stable_sort(front.begin(), front.end(),
                    [](const ParetoPlan& a, const ParetoPlan& b) { return a.cost < b.cost; });
   return front;

@@ -12,7 +12,7 @@ namespace coapt {
 /// alike, by the price of the operation. Unless all plans were opened the price stands for the opening; durability that is not known of all is left
 /// out; a plan whose closures fail, or that is_stenotic(), is in no front.
 ///
-/// Sets RankedPlan::pareto.
+/// Sets RankedPlan::pareto, beaten_by and beaten_in.
 void mark_pareto(const CostWeights& weights, std::vector<RankedPlan>& plans);
 
 /// Of plans closed at `nodes`, cheapest first. Where what some trade is known (trade_off.h), of these alone.

@@ -17,7 +17,8 @@ PlanClosure plan_closure(const Evaluation& evaluation) {
           measure.leak.area_mm2,
           (sections[3].height_mm + sections[4].height_mm + sections[5].height_mm) / 3.0,
           measure.coaptation.distance_max_mm,
-          measure.tension_max_n};
+          measure.tension_max_n,
+          measure.anterior_length_mm / measure.posterior_length_mm};
 }
 
 bool trusted(const PlanClosure& closure) {

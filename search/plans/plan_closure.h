@@ -1,6 +1,8 @@
 // What a search remembers of one closure.
 #pragma once
 
+#include <limits>
+
 #include "search/evaluator.h"
 
 namespace coapt {
@@ -13,7 +15,12 @@ struct PlanClosure {
   double coaptation_mm = 0.0;    ///< height of A2 with P2: mean of the three middle sections
   double distance_max_mm = 0.0;  ///< see Coaptation
   double tension_max_n = 0.0;
+  double leaflet_ratio = std::numeric_limits<double>::
+      quiet_NaN();  ///< anterior over posterior, annulus to coaptation; NaN: they do not touch
 };
+
+/// Of PlanClosure::leaflet_ratio; below it systolic anterior motion is a risk (Maslow 1999, Popa 2013).
+inline constexpr double kLowLeafletRatio = 1.3;
 
 PlanClosure plan_closure(const Evaluation& evaluation);
 

@@ -30,7 +30,7 @@ constexpr double kOtherKind = 10.0;  // apart: nothing in common
 constexpr Eigen::Index kMostNeochordae = 4;
 
 OperationMerits operation_of(const PlanRecord& plan) {
-  return {plan.effort, plan.muscles, plan.free_anchors, plan.avoidable_warnings};
+  return {plan.effort, plan.muscles, plan.free_anchors, plan.resections, plan.avoidable_warnings};
 }
 
 }  // namespace
@@ -106,6 +106,8 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
         ++made->muscles;
         made->free_anchors += suture->anchor == Anchor::AnnulusPoint;
       }
+    for (const RepairStep& step : plan.steps)
+      made->resections += std::holds_alternative<LeafletResection>(step);
     made->avoidable_warnings = avoidable_warnings(gates);
     made->lowest_cost = effort_price(made->effort, options_.weights);
     made->least_guide =
@@ -361,7 +363,9 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
   if (count >= kChosenBy)
     if (const std::optional<Durability> lasts = durability(plan))
       all.amounts += durability_terms(*lasts).amounts;
-  return coapt::guide(all, mild, operation_of(plan));
+  OperationMerits merits = operation_of(plan);
+  merits.avoidable_warnings += plan.closures.at(0).leaflet_ratio < kLowLeafletRatio;
+  return coapt::guide(all, mild, merits);
 }
 
 double PlanEvaluations::movement_guide() const {

@@ -43,6 +43,7 @@ struct PlanRecord {
   Effort effort;
   int muscles = 0;             ///< that its sutures move
   int free_anchors = 0;        ///< of its sutures: not at the trigone or the saddle peak
+  int resections = 0;          ///< of leaflets
   int avoidable_warnings = 0;  ///< of operation_gates()
   double lowest_cost = 0.0;    ///< effort_price(): a bound from below
   double least_guide = 0.0;    ///< likewise of PlanEvaluations::guide()

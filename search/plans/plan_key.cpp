@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/valve/number_text.h"
 
@@ -74,16 +76,38 @@ std::string words(const LeafletResection& step) {
   return text + (step.sliding ? " sliding" : " plication");
 }
 
+std::string operation_words(const Neochorda& step) {
+  return std::string("neochorda ") + to_string(step.insertion.leaflet);
+}
+std::string operation_words(const PapillaryApproximation& suture) {
+  return std::string("suture ") + to_string(suture.side) + ' ' + to_string(suture.anchor);
+}
+std::string operation_words(const LeafletResection& step) {
+  return std::string("resection ") + to_string(step.shape) + ' ' + to_string(step.leaflet);
+}
+std::string operation_words(const auto& step) { return words(step); }
+
+std::string joined(std::vector<std::string> steps) {
+  std::sort(steps.begin(), steps.end());
+  std::string key;
+  for (const std::string& step : steps) key += (key.empty() ? "" : "; ") + step;
+  return key;
+}
+
 }  // namespace
 
 std::string plan_key(const RepairPlan& plan) {
   std::vector<std::string> steps;
   for (const RepairStep& step : plan.steps)
     steps.push_back(std::visit([](const auto& s) { return words(s); }, step));
-  std::sort(steps.begin(), steps.end());
-  std::string key;
-  for (const std::string& step : steps) key += (key.empty() ? "" : "; ") + step;
-  return key;
+  return joined(std::move(steps));
+}
+
+std::string operation_key(const RepairPlan& plan) {
+  std::vector<std::string> steps;
+  for (const RepairStep& step : plan.steps)
+    steps.push_back(std::visit([](const auto& s) { return operation_words(s); }, step));
+  return joined(std::move(steps));
 }
 
 }  // namespace coapt

@@ -4,38 +4,44 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/closed/diagnosis.h"
 #include "search/plans/plan_opening.h"
 
 namespace coapt {
 namespace {
 
 /// Less is better; what is not acceptable comes after all that is.
-int tier(const PlanMerits& plan) {
+int tier(const PlanMerits& plan, double acceptable) {
   if (plan.rejected) return 6;
   if (!plan.trusted) return 5;
   if (plan.fails_often) return 4;
   if (plan.stenotic) return 3;
-  if (!is_acceptable(plan)) return 2;
+  if (!is_acceptable(plan, acceptable)) return 2;
   return plan.avoidable_warnings > 0 ? 1 : 0;
 }
 
 bool is_simpler(const PlanMerits& a, const PlanMerits& b) {
-  return std::tie(a.steps, a.muscles, a.free_anchors, a.sizes_below, a.leak_mm2) <
-         std::tie(b.steps, b.muscles, b.free_anchors, b.sizes_below, b.leak_mm2);
+  const auto merits = [](const PlanMerits& plan) {
+    return std::tuple(plan.steps, plan.muscles, plan.free_anchors, plan.resections,
+                      std::lround(plan.sizes_below), std::max(kTraceLeak_mm2, plan.leak_mm2),
+                      std::isnan(plan.durability_mm) ? 0.0 : -plan.durability_mm, plan.cost);
+  };
+  return merits(a) < merits(b);
 }
 
 /// Takes the best class from `left` (acceptable plans of one tier), the simplest first.
-std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<int>& left) {
+std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<int>& left,
+                            const OrderThresholds& thresholds) {
   double longest = -std::numeric_limits<double>::infinity();
   for (const int i : left) longest = std::fmax(longest, plans[i].durability_mm);
   const auto lasts = [&](int i) {
     return std::isnan(plans[i].durability_mm) ||
-           plans[i].durability_mm >= longest - kSameDurability_mm;
+           plans[i].durability_mm >= longest - thresholds.same_durability_mm;
   };
   double least = std::numeric_limits<double>::infinity();
   for (const int i : left)
     if (lasts(i)) least = std::fmin(least, plans[i].gradient_mmhg);
-  const double most = std::max(kUsualGradient_mmhg, least + kSameGradient_mmhg);
+  const double most = std::max(kUsualGradient_mmhg, least + thresholds.same_gradient_mmhg);
   const auto rest = std::stable_partition(left.begin(), left.end(), [&](int i) {
     return !(lasts(i) && !(plans[i].gradient_mmhg > most));
   });
@@ -48,18 +54,30 @@ std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<in
 
 }  // namespace
 
-bool is_acceptable(const PlanMerits& plan) {
-  return plan.trusted && plan.varied && !plan.fails_often && !plan.rejected && !plan.stenotic &&
-         plan.acceptable_probability >= kAcceptable && plan.closes_finely;
+std::vector<OrderThresholds> threshold_settings() {
+  std::vector<OrderThresholds> settings;
+  for (const double acceptable : {0.90, kAcceptable, 0.98})
+    for (const double durability_mm : {1.0, 2.0, 3.0})
+      for (const double gradient_mmhg : {0.5, 1.0, 2.0})
+        settings.push_back({acceptable, durability_mm, gradient_mmhg});
+  return settings;
 }
 
-std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price) {
+bool is_acceptable(const PlanMerits& plan, double acceptable) {
+  return plan.trusted && plan.varied && !plan.fails_often && !plan.rejected && !plan.stenotic &&
+         plan.acceptable_probability >= acceptable && plan.closes_finely;
+}
+
+std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price,
+                                const OrderThresholds& thresholds) {
   std::vector<PlanPlace> order;
   int of_class = 0;
   for (int now = 0; now <= 6; ++now) {
     std::vector<int> left;
     for (int i = 0; i < std::ssize(plans); ++i)
-      if (const int of = tier(plans[i]); (by_price && of == 1 ? 0 : of) == now) left.push_back(i);
+      if (const int of = tier(plans[i], thresholds.acceptable);
+          (by_price && of == 1 ? 0 : of) == now)
+        left.push_back(i);
     if (now > 1 || by_price) {
       std::stable_sort(left.begin(), left.end(), [&](int a, int b) {
         if (!by_price && plans[a].acceptable_probability != plans[b].acceptable_probability)
@@ -71,10 +89,18 @@ std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_pr
     }
     while (!left.empty()) {
       ++of_class;
-      for (const int i : take_class(plans, left)) order.push_back({i, of_class});
+      for (const int i : take_class(plans, left, thresholds)) order.push_back({i, of_class});
     }
   }
   return order;
+}
+
+std::vector<int> times_first(const std::vector<PlanMerits>& plans) {
+  std::vector<int> times(plans.size());
+  if (plans.empty()) return times;
+  for (const OrderThresholds& thresholds : threshold_settings())
+    ++times[order_of(plans, false, thresholds).front().index];
+  return times;
 }
 
 }  // namespace coapt

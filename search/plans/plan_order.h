@@ -24,6 +24,7 @@ struct PlanMerits {
   double gradient_mmhg = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not known
   int steps = 0, muscles = 0;                                       ///< muscles: sutured ones
   int free_anchors = 0;  ///< of sutures: no landmark to find
+  int resections = 0;    ///< tissue that cannot be put back
   double sizes_below = 0.0;
   double leak_mm2 = 0.0;  ///< mean + sd over the region
   double cost = 0.0;
@@ -31,12 +32,20 @@ struct PlanMerits {
 
 /// From that probability on a plan is acceptable.
 inline constexpr double kAcceptable = 0.95;
-/// Within these, plans cannot be told apart: durability_mm of the best of a class; gradient of the least, or not above what usual rings
-/// leave (plan_opening.h).
-inline constexpr double kSameDurability_mm = 2.0, kSameGradient_mmhg = 1.0;
 
-/// Trusted, varied, seldom failing, not rejected, not stenotic, mild with kAcceptable, on the finer mesh, too.
-bool is_acceptable(const PlanMerits& plan);
+/// What the order hangs on, and no measurement fixes.
+struct OrderThresholds {
+  double acceptable = kAcceptable;
+  /// Within these, plans cannot be told apart: durability_mm of the best of a class; gradient of the least, or not above what usual rings
+  /// leave (plan_opening.h).
+  double same_durability_mm = 2.0, same_gradient_mmhg = 1.0;
+};
+
+/// 27: acceptable from 0.90, 0.95, 0.98; 1, 2, 3 mm; 0.5, 1, 2 mmHg.
+std::vector<OrderThresholds> threshold_settings();
+
+/// Trusted, varied, seldom failing, not rejected, not stenotic, mild with that probability, on the finer mesh, too.
+bool is_acceptable(const PlanMerits& plan, double acceptable = kAcceptable);
 
 struct PlanPlace {
   int index = 0;     ///< into the plans given
@@ -44,9 +53,13 @@ struct PlanPlace {
 };
 
 /// All plans, best first; the first of a class is its simplest member: fewest steps, fewest muscles, fewest free anchors,
-/// least undersizing, least leak.
+/// fewest resections, least undersizing in whole sizes, least leak above a trace, longest durability.
 /// What is not acceptable is a class of its own, by how likely it is to be, then by cost.
 /// @param by_price by cost instead within what is acceptable and what is not, each plan a class of its own
-std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price = false);
+std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price = false,
+                                const OrderThresholds& thresholds = {});
+
+/// Of each plan, in how many of threshold_settings() it comes first.
+std::vector<int> times_first(const std::vector<PlanMerits>& plans);
 
 }  // namespace coapt

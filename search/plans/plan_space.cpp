@@ -7,6 +7,7 @@
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
 #include "core/repair/limits.h"
+#include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/number_text.h"
@@ -42,9 +43,8 @@ int step_count(const Choice& choice) {
          (choice.leaflet == LeafletChoice::None ? 0 : 1);
 }
 
-bool mends_lesion(const Choice& choice) {
-  return choice.neochordae > 0 || choice.leaflet != LeafletChoice::None ||
-         choice.chordal != ChordalChoice::None;
+bool is_resection(LeafletChoice leaflet) {
+  return leaflet == LeafletChoice::Triangular || leaflet == LeafletChoice::Quadrangular;
 }
 
 template <class Step>
@@ -66,7 +66,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
       coordinates_(leaflet_coordinates(valve)),
       diagnosis_(diagnosis),
       lesions_(find_lesions(valve, coordinates_, diagnosis)) {
-  ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed)};
+  ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed), 0.0};
   if (is_competent()) {
     branches_.push_back({});
     if (diagnosis_->competent_sure) {
@@ -93,7 +93,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
           for (const ChordalChoice chordal : chordals)
             for (const LeafletChoice leaflet : leaflets)
               if (const Choice choice{ring, al, pm, count, chordal, leaflet};
-                  (!ring.empty() || !needs_ring) && (mends_lesion(choice) || !needs_mending))
+                  (!ring.empty() || !needs_ring) && mends_rightly(choice, needs_mending))
                 if (const auto branch = make_branch(choice)) branches_.push_back(*branch);
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
     return step_count(a.choice) < step_count(b.choice);
@@ -121,17 +121,18 @@ std::vector<std::string> PlanSpace::offer_rings() {
     RepairPlan plan = rules_.fixed;
     plan.steps.emplace_back(step);
     const Expected<Valve> valve = apply_plan(valve_, plan);
-    if (valve)
-      ringed_[{shape_of(step), static_cast<int>(std::lround(2.0 * size))}] = {plan, *valve};
-    return bool(valve);
+    const double below = valve ? ring_sizes_below(valve_, *valve) : 0.0;
+    if (!valve || below > kMostSizesBelow) return false;
+    ringed_[{shape_of(step), static_cast<int>(std::lround(2.0 * size))}] = {plan, *valve, below};
+    return true;
   };
   const auto offer = [&](const std::string& shape, const std::vector<double>& sizes) {
     if (is_forbidden(rules_, "annuloplasty", shape)) {
       cut_.push_back({"ring " + shape, "forbidden"});
     } else if (sizes.empty()) {
-      cut_.push_back({"ring " + shape, "no size is " + shown(Range{0.0, kMostSizesBelow}) +
-                                           " sizes below this annulus (" + in_mm(width) +
-                                           " wide), or none fits"});
+      cut_.push_back({"ring " + shape,
+                      "no size is within " + shown(kMostSizesBelow) + " sizes of the true one, " +
+                          in_mm(true_ring_size_mm(valve_)) + ", and no wider than the annulus"});
     } else {
       offered.push_back(shape);
     }
@@ -152,8 +153,7 @@ std::vector<std::string> PlanSpace::offer_rings() {
     }
     sizes.clear();
     for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
-      const double below = (width - ring_width_mm(shape, size)) / kRingSizeStep_mm;
-      if (below >= 0.0 && below <= kMostSizesBelow && try_ring({CatalogueRing{name, size}}, size))
+      if (ring_width_mm(shape, size) <= width && try_ring({CatalogueRing{name, size}}, size))
         sizes.push_back(size);
     }
     offer(name, sizes);
@@ -161,30 +161,29 @@ std::vector<std::string> PlanSpace::offer_rings() {
   for (const DesignedShape& shape : rules_.shapes) {
     sizes.clear();
     for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
-      const double below = (width - size) / kRingSizeStep_mm;
-      if (below >= 0.0 && below <= kMostSizesBelow && try_ring({DesignedRing{shape, size}}, size))
-        sizes.push_back(size);
+      if (size <= width && try_ring({DesignedRing{shape, size}}, size)) sizes.push_back(size);
     }
     offer(shape.name, sizes);
   }
   return offered;
 }
 
+/// Starts at the true size, or where rings are made smaller as a rule: for tethered leaflets.
 Parameter PlanSpace::ring_sizes(const std::string& shape) const {
-  double first = 1e9, last = -1e9;
+  const double usual = lesions_.empty() ? kUsualSizesBelow.min : 0.0;
+  double first = 1e9, last = -1e9, start = 0.0, nearest = 1e9;
   for (const auto& [key, ringed] : ringed_) {
     if (key.first != shape) continue;
-    first = std::min(first, 0.5 * key.second);
-    last = std::max(last, 0.5 * key.second);
+    const double size = 0.5 * key.second;
+    first = std::min(first, size);
+    last = std::max(last, size);
+    if (const double off = std::abs(ringed.sizes_below - usual); off < nearest) {
+      nearest = off;
+      start = size;
+    }
   }
-  const double below = lesions_.empty() ? kUsualSizesBelow.min : 0.0;
-  if (shape == kOwnShape)
-    return make_parameter(ParameterOf::RingSize, 0, {first, last}, 1.0, std::max(1.0, below));
-  const double width = transverse_diameter_mm(valve_);
-  const RingShape* made = find_ring(shape);
-  const double factor = made != nullptr ? made->transverse_factor : 1.0;  // designed: true width
-  return make_parameter(ParameterOf::RingSize, 0, {first, last}, kRingSizeStep_mm,
-                        (width - kRingSizeStep_mm * below) / factor);
+  return make_parameter(ParameterOf::RingSize, 0, {first, last},
+                        shape == kOwnShape ? 1.0 : kRingSizeStep_mm, start);
 }
 
 std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
@@ -252,19 +251,53 @@ std::vector<ChordalChoice> PlanSpace::offer_chordal() {
 std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
   std::vector<LeafletChoice> offered = {LeafletChoice::None};
   if (lesions_.empty()) return offered;
-  const auto may_be_cut = [&](ResectionShape shape) {
-    return !is_forbidden(rules_, "leaflet_resection", to_string(shape)) &&
-           !is_forbidden(rules_, "leaflet_resection", to_string(lesions_.front().leaflet));
-  };
-  if (rules_.leaflet_resection && !has_step<LeafletResection>(rules_.fixed)) {
-    if (may_be_cut(ResectionShape::Triangular)) offered.push_back(LeafletChoice::Triangular);
-    if (lesions_.front().leaflet == Leaflet::Posterior && may_be_cut(ResectionShape::Quadrangular))
-      offered.push_back(LeafletChoice::Quadrangular);
+  const Lesion* const posterior = posterior_lesion();
+  if (!rules_.leaflet_resection) {
+    cut_.push_back({"resection", "not allowed"});
+  } else if (posterior == nullptr) {
+    cut_.push_back({"resection", "the posterior leaflet does not prolapse"});
+  } else if (!has_step<LeafletResection>(rules_.fixed)) {
+    for (const auto& [shape, choice] :
+         {std::pair(ResectionShape::Triangular, LeafletChoice::Triangular),
+          std::pair(ResectionShape::Quadrangular, LeafletChoice::Quadrangular)})
+      if (is_forbidden(rules_, "leaflet_resection", to_string(shape)) ||
+          is_forbidden(rules_, "leaflet_resection", to_string(Leaflet::Posterior)))
+        cut_.push_back({std::string(to_string(shape)) + " resection", "forbidden"});
+      else
+        offered.push_back(choice);
   }
-  if (rules_.edge_to_edge && !has_step<EdgeToEdge>(rules_.fixed) &&
-      !is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Clip)))
+  if (!rules_.edge_to_edge || has_step<EdgeToEdge>(rules_.fixed)) return offered;
+  if (is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Clip)))
+    cut_.push_back({"clip", "forbidden"});
+  else
     offered.push_back(LeafletChoice::Clip);
   return offered;
+}
+
+/// Of the posterior leaflet; null if it has none.
+const Lesion* PlanSpace::posterior_lesion() const {
+  const auto found = std::find_if(lesions_.begin(), lesions_.end(), [](const Lesion& lesion) {
+    return lesion.leaflet == Leaflet::Posterior;
+  });
+  return found == lesions_.end() ? nullptr : &*found;
+}
+
+/// Lesions that are left to neochordae: a resection mends its own.
+std::vector<const Lesion*> PlanSpace::held_by_neochordae(LeafletChoice leaflet) const {
+  std::vector<const Lesion*> held;
+  for (const Lesion& lesion : lesions_)
+    if (!is_resection(leaflet) || &lesion != posterior_lesion()) held.push_back(&lesion);
+  return held;
+}
+
+/// All lesions, or none; nothing twice.
+bool PlanSpace::mends_rightly(const Choice& choice, bool all) const {
+  const bool others = !held_by_neochordae(choice.leaflet).empty();
+  if (choice.neochordae > 0 && !others) return false;
+  if (!all) return true;
+  if (is_resection(choice.leaflet)) return !others || choice.neochordae > 0;
+  return choice.neochordae > 0 || choice.leaflet != LeafletChoice::None ||
+         choice.chordal != ChordalChoice::None;
 }
 
 void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double width_mm) const {
@@ -272,15 +305,13 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
     case LeafletChoice::None:
       return;
     case LeafletChoice::Triangular:
-      plan.steps.emplace_back(
-          LeafletResection{.leaflet = lesions_.front().leaflet,
-                           .along = within(kResectionAlong, lesions_.front().middle),
-                           .width_mm = width_mm});
+      plan.steps.emplace_back(LeafletResection{
+          .along = within(kResectionAlong, posterior_lesion()->middle), .width_mm = width_mm});
       return;
     case LeafletChoice::Quadrangular:
       plan.steps.emplace_back(
           LeafletResection{.shape = ResectionShape::Quadrangular,
-                           .along = within(kResectionAlong, lesions_.front().middle),
+                           .along = within(kResectionAlong, posterior_lesion()->middle),
                            .width_mm = width_mm});
       return;
     case LeafletChoice::Clip:
@@ -312,9 +343,11 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
       parameters.push_back(make_parameter(ParameterOf::AnchorPlace, index, kAnchorPlaces,
                                           kAnchorPlaceStep, kFirstAnchorPlace));
   }
+  const std::vector<const Lesion*> held = held_by_neochordae(choice.leaflet);
   for (int k = 0; k < choice.neochordae; ++k) {
-    const double usual = std::clamp(std::round(lesions_[k % lesions_.size()].length_mm),
-                                    kUsualNeochordaMm.min, kUsualNeochordaMm.max);
+    const double lattice = rules_.neochorda_lattice_mm;
+    const double usual =
+        within(kUsualNeochordaMm, lattice * std::round(held[k % held.size()]->length_mm / lattice));
     parameters.push_back(
         make_parameter(ParameterOf::NeochordaLength, k,
                        {std::max(kUsualNeochordaMm.min, usual - kNeochordaScope_mm),
@@ -329,14 +362,10 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
   switch (choice.leaflet) {
     case LeafletChoice::None:
       break;
-    case LeafletChoice::Triangular: {
-      const double most = lesions_.front().leaflet == Leaflet::Anterior ? kAnteriorTriangularMm.max
-                                                                        : kTriangularWidths_mm.max;
-      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0,
-                                          {kTriangularWidths_mm.min, most}, kLeafletWidthStep_mm,
-                                          kFirstResection_mm));
+    case LeafletChoice::Triangular:
+      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kTriangularWidths_mm,
+                                          kLeafletWidthStep_mm, kFirstResection_mm));
       break;
-    }
     case LeafletChoice::Quadrangular:
       parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kQuadrangularWidths_mm,
                                           kLeafletWidthStep_mm, kFirstResection_mm));
@@ -410,10 +439,11 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
     const auto& anchor = index == 0 ? choice.anterolateral : choice.posteromedial;
     if (anchor) add_suture(plan, base, side_of(index), *anchor, movement[index], place[index]);
   }
+  const std::vector<const Lesion*> held = held_by_neochordae(choice.leaflet);
   for (std::size_t k = 0; k < static_cast<std::size_t>(choice.neochordae); ++k) {
     // In turn on either leaflet, over the whole lesion.
-    const std::size_t lesions = lesions_.size();
-    const Lesion& lesion = lesions_[k % lesions];
+    const std::size_t lesions = held.size();
+    const Lesion& lesion = *held[k % lesions];
     const double count = static_cast<double>(choice.neochordae / lesions);
     const double spacing =
         count > 1.0 ? std::max(kSpacing, 2.0 * lesion.reach / (count - 1.0)) : kSpacing;

@@ -3,16 +3,17 @@
 //
 //   no operation      if the valve is competent, or may be
 //   ring              with every repair (none where rules leave none); of the catalogue 3 : 4 for every valve, shorter ones for tethered leaflets, and each of
-//                     SearchRules::shapes, its sizes 0 to 4 below; the own shape 1 to 4 sizes below, on request
+//                     SearchRules::shapes; up to 4 sizes below the true one (ring_sizing.h), none wider than the annulus; the own shape on request
 //   papillary suture  where leaflets are tethered, to trigone, saddle peak or a free point of the anterior annulus, for a displaced
 //                     muscle: its tip further from its trigone than mean + sd of normal hearts
 //                     (23.5, 3.8 mm; n = 57); first moved to where that mean is
 //   neochordae        0 to 4 where segments prolapse (3.6 per patient), as many on either leaflet if both do, each with its
-//                     place and length
+//                     place and length; or
+//   resection         where the posterior leaflet prolapses: triangular or quadrangular with sliding, with its width; the anterior
+//                     leaflet then has neochordae, if it prolapses, too
 //   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one
 //                     transferred
-//   leaflet           on request, at the highest lesion: a triangular resection; of the posterior leaflet also a
-//                     quadrangular one with sliding; a clip from edge to edge; each with its width
+//   clip              on request, from edge to edge at the highest lesion, with its width
 // Without a diagnosis every ring and suture is offered, and neochordae where marginal chordae are ruptured.
 // Sizes and movements, not lengths, are the axes: a suture's length follows from how far the muscle
 // is to move under that ring, on the lattice of what can be tied.
@@ -51,6 +52,7 @@ class PlanSpace {
   struct Ringed {
     RepairPlan plan;  // fixed steps and the ring
     Valve valve;
+    double sizes_below = 0.0;
   };
   const Ringed* ringed(const std::string& shape, double size) const;
   bool is_indicated(CarpentierType type) const;
@@ -60,6 +62,9 @@ class PlanSpace {
   std::vector<int> offer_neochordae();
   std::vector<ChordalChoice> offer_chordal();
   std::vector<LeafletChoice> offer_leaflet();
+  const Lesion* posterior_lesion() const;
+  std::vector<const Lesion*> held_by_neochordae(LeafletChoice leaflet) const;
+  bool mends_rightly(const Choice& choice, bool all) const;
   void add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double width_mm) const;
   Parameter ring_sizes(const std::string& shape) const;
   std::optional<Branch> make_branch(const Choice& choice) const;

@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <string>
 
 #include "core/metrics/area_error.h"
 #include "core/repair/apply_plan.h"
@@ -15,13 +17,16 @@
 #include "search/plans/closure_gates.h"
 #include "search/plans/durability.h"
 #include "search/plans/pareto.h"
+#include "search/plans/plan_key.h"
 #include "search/plans/plan_leak.h"
 #include "search/plans/plan_order.h"
+#include "search/plans/simpler_plans.h"
 #include "search/plans/strength_gates.h"
 
 namespace coapt {
 namespace {
 
+constexpr int kSimpler = 4;             // versions of finalists at most
 constexpr double kOftenFailing = 0.05;  // of the region's closures: then its figures mean little
 
 std::vector<double> costs_of(const PlanEvaluations& evaluations,
@@ -89,6 +94,7 @@ PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& recor
   merits.steps = record.effort.steps;
   merits.muscles = record.muscles;
   merits.free_anchors = record.free_anchors;
+  merits.resections = record.resections;
   merits.sizes_below = record.effort.sizes_below;
   const LeakStatistics leak = leak_statistics(record, nodes);
   merits.leak_mm2 = nodes > 1 ? leak.mean + leak.sd : leak.nominal;
@@ -98,26 +104,62 @@ PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& recor
   return merits;
 }
 
-/// The first `count` by the rule that ranks, over these nodes.
+/// By the rule that ranks, over these nodes. @pre nodes > 0
+std::vector<PlanPlace> order_over(PlanEvaluations& evaluations,
+                                  const std::vector<PlanRecord*>& plans, int nodes,
+                                  const SearchOptions& options) {
+  const bool durable = all_durabilities_known(plans);
+  std::vector<PlanMerits> merits;
+  for (const PlanRecord* plan : plans) {
+    const Expected<Valve> repaired = apply_plan(evaluations.valve(), plan->plan);
+    const std::vector<Gate> gates =
+        gates_of(evaluations, *plan, *repaired, evaluations.closed(*plan).evaluation);
+    merits.push_back(merits_of(evaluations, *plan, nodes, gates, durable,
+                               acceptance_of(evaluations, *plan, nodes, {}, {})));
+  }
+  return order_of(merits, options.rank_by_price);
+}
+
+/// The first options.plans by the rule that ranks, as far as there are so many each another operation.
 void keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
                const SearchOptions& options) {
   if (std::ssize(plans) <= options.plans) return;
   if (nodes > 0) {
-    const bool durable = all_durabilities_known(plans);
-    std::vector<PlanMerits> merits;
-    for (const PlanRecord* plan : plans) {
-      const Expected<Valve> repaired = apply_plan(evaluations.valve(), plan->plan);
-      const std::vector<Gate> gates =
-          gates_of(evaluations, *plan, *repaired, evaluations.closed(*plan).evaluation);
-      merits.push_back(merits_of(evaluations, *plan, nodes, gates, durable,
-                                 acceptance_of(evaluations, *plan, nodes, {}, {})));
-    }
     std::vector<PlanRecord*> order;
-    for (const PlanPlace& place : order_of(merits, options.rank_by_price))
+    for (const PlanPlace& place : order_over(evaluations, plans, nodes, options))
       order.push_back(plans[place.index]);
     plans = order;
   }  // else nothing is known of some: in the order found
+  std::set<std::string> seen;
+  std::stable_partition(plans.begin(), plans.end(), [&](const PlanRecord* plan) {
+    return seen.insert(operation_key(plan->plan)).second;
+  });
   plans.resize(options.plans);
+}
+
+/// Adds simpler versions of plans of the first class, closed as far as these are. False if it was stopped.
+bool add_simpler(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
+                 const SearchOptions& options) {
+  std::vector<PlanRecord*> added;
+  for (const auto& [index, of_class] : order_over(evaluations, plans, nodes, options)) {
+    if (of_class > 1) break;
+    for (const RepairPlan& simpler :
+         simpler_plans(evaluations.valve(), plans[index]->plan, options.rules)) {
+      PlanRecord* const record = &evaluations.record(simpler);
+      const auto has = [record](const std::vector<PlanRecord*>& some) {
+        return std::find(some.begin(), some.end(), record) != some.end();
+      };
+      if (std::ssize(added) < kSimpler && !is_infeasible(*record) && !has(plans) && !has(added))
+        added.push_back(record);
+    }
+  }
+  if (added.empty()) return true;
+  if (!evaluations.open(added, PlanEvaluations::Phase::Ranking) ||
+      !close_up_to(evaluations, added, nodes) ||
+      !close_disease(evaluations, added, PlanEvaluations::Phase::Ranking))
+    return false;
+  plans.insert(plans.end(), added.begin(), added.end());
+  return true;
 }
 
 std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
@@ -264,8 +306,12 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
                                            costs_of(evaluations, finalists, nodes)));
     closed = nodes;
     const bool last_before = nodes == std::min(kBeforeTheRegion, options.region_points);
-    if (last_before && options.evidence)
+    if (last_before && options.evidence) {
       close_disease(evaluations, finalists, PlanEvaluations::Phase::Ranking);
+      // Where some are to be dropped: not of plans of one's own.
+      if (!options.rank_by_price && std::ssize(finalists) > options.plans)
+        add_simpler(evaluations, finalists, nodes, options);
+    }
     if (nodes >= std::min(kBeforeTheRegion, options.region_points))
       keep_best(evaluations, finalists, nodes, options);
   }
@@ -314,12 +360,14 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
       all[own.index].own_mesh_rank = ++place;
   }
   const std::vector<PlanPlace> order = order_of(merits, options.rank_by_price);
+  const std::vector<int> first = times_first(merits);
   std::vector<RankedPlan> result;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto [index, of_class] = order[i];
     RankedPlan& plan = all[index];
     plan.rank = static_cast<int>(i) + 1;
     plan.of_class = of_class;
+    if (!options.rank_by_price) plan.times_first = first[index];
     plan.simplest_of_class = i == 0 || order[i - 1].of_class != of_class;
     const bool last = i + 1 == order.size();
     plan.ties_with_next = !last && order[i + 1].of_class == of_class;

@@ -25,8 +25,8 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
 /// alone, and of both by themselves.
 int evidence_closures(const RepairPlan& plan);
 
-/// Closes the finalists at as many nodes as the ladder goes, dropping the dearest on the way down
-/// to options.plans; the evidence, if asked for: disease before the first are dropped, whose price then counts; for those that stay single sutures,
+/// Closes the finalists at as many nodes as the ladder goes, joined by simpler versions of the first class (simpler_plans.h), dropping the last on the
+/// way down to options.plans, of two that are the same in surgical terms the later one first; the evidence, if asked for: disease before the first are dropped, whose price then counts; for those that stay single sutures,
 /// independent errors, remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
 /// ones.
 std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,

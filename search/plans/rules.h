@@ -29,12 +29,12 @@ struct SearchRules {
   bool chordal_excision = false;
   /// To a lesion.
   bool chordal_transfer = false;
-  /// Of the leaflet with a lesion, there.
-  bool leaflet_resection = false;
+  /// Of the posterior leaflet where it prolapses.
+  bool leaflet_resection = true;
   /// A clip at a lesion.
   bool edge_to_edge = false;
   double suture_lattice_mm = 0.5;
-  double neochorda_lattice_mm = 1.0;
+  double neochorda_lattice_mm = 2.0;  ///< loops are made so
   /// Of a papillary muscle: more than 10 is unusual.
   double most_movement_mm = 10.0;
 };

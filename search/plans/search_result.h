@@ -67,8 +67,13 @@ struct RankedPlan {
   bool ties_with_next = false;  ///< of one class
   /// That it is rightly before the next plan (acceptance.h). NaN for the last, and where one node was closed.
   double probability_outranks_next = 0.0;
+  /// In how many of threshold_settings() it comes first (plan_order.h); 0 where the price ranks.
+  int times_first = 0;
   /// No other ranked plan is as good in mean + sd of the leak, opening and durability, and better in one (pareto.h).
   bool pareto = false;
+  /// Rank of a plan that is, and in what it is better: "leak", "opening", "durability" or "operation"; 0 where none is.
+  int beaten_by = 0;
+  std::vector<std::string> beaten_in;
 };
 
 /// A plan that no other one known as well beats: in mean + sd of the leak, opening and durability (pareto.h).

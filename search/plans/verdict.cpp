@@ -5,6 +5,7 @@
 #include "core/closed/diagnosis.h"
 #include "core/repair/approximation.h"
 #include "core/valve/number_text.h"
+#include "search/plans/plan_order.h"
 
 namespace coapt {
 namespace {
@@ -48,6 +49,21 @@ std::string anchors_of_class(const std::vector<RankedPlan>& plans) {
          (seen.size() > 2 ? " do" : " does") + " as well.";
 }
 
+/// Which plans come first in other settings of the thresholds; empty if none does.
+std::string choice_of(const std::vector<RankedPlan>& plans) {
+  std::string others;
+  for (const RankedPlan& plan : plans)
+    if (plan.rank > 1 && plan.times_first > 0)
+      others += (others.empty() ? "plan " : ", plan ") + std::to_string(plan.rank) + " in " +
+                std::to_string(plan.times_first);
+  if (others.empty()) return "";
+  return " Which plan comes first depends on thresholds that no measurement fixes: plan 1 does "
+         "in " +
+         std::to_string(plans.front().times_first) + " of " +
+         std::to_string(threshold_settings().size()) + " settings, " + others +
+         ". Take it as a choice.";
+}
+
 }  // namespace
 
 std::string verdict_of(const std::vector<RankedPlan>& plans) {
@@ -71,7 +87,7 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
                                     " cannot be told apart; plan 1 is the simplest of them. It"
                               : std::string("Plan 1");
   return who + " " + likely + ", over errors of the hand, tissue and mesh." +
-         anchors_of_class(plans);
+         anchors_of_class(plans) + choice_of(plans);
 }
 
 }  // namespace coapt

@@ -31,10 +31,6 @@ Evaluation close_disturbed(const Evaluator& evaluate, const Ringed& ringed, int 
   return evaluate(valve, ringed.as_planned.closure.get()).evaluation;
 }
 
-double sizes_narrower(const Valve& before, const Valve& repaired) {
-  return (transverse_diameter_mm(before) - transverse_diameter_mm(repaired)) / kRingSizeStep_mm;
-}
-
 /// Each course is closed up to where it leaks, as close_disease() does.
 double durability_of(const Evaluator& evaluate, const Ringed& ringed) {
   PlanRecord record;
@@ -73,8 +69,7 @@ RingTrial closing_trial(const ClosureOptions& options) {
     const Expected<Valve> repaired = apply_plan(member.valve, plan);
     if (!repaired) return outcome;
     outcome.is_possible = true;
-    outcome.sizes_below = std::max(effort(member.valve, *repaired, plan).sizes_below,
-                                   sizes_narrower(member.valve, *repaired));
+    outcome.sizes_below = ring_sizes_below(member.valve, *repaired);
     const Ringed ringed{member.valve, plan, *repaired, evaluate(*repaired, member.before.get())};
     for (const int index : question.disturbances) {
       const Evaluation closed = close_disturbed(evaluate, ringed, index);

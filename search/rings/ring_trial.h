@@ -42,7 +42,7 @@ struct RingQuestion {
 struct RingOutcome {
   bool is_possible = false;  ///< a plan with this ring can be done; nothing else is known otherwise
   double size_mm = 0.0;      ///< labelled
-  double sizes_below = 0.0;  ///< of the annulus's width or, as Effort::sizes_below, its area
+  double sizes_below = 0.0;  ///< ring_sizes_below()
   std::vector<double> leaks_mm2;  ///< by disturbance; NaN where the closure cannot be trusted
   double tenting_mm = std::numeric_limits<double>::quiet_NaN();    ///< as planned
   double suture_max_n = std::numeric_limits<double>::quiet_NaN();  ///< SutureLoad, as planned

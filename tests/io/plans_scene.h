@@ -251,12 +251,12 @@ inline SearchRequest search_request() {
   options.rules.chordal_length_change = true;
   options.rules.chordal_excision = true;
   options.rules.chordal_transfer = true;
-  options.rules.leaflet_resection = true;
+  options.rules.leaflet_resection = false;
   options.rules.edge_to_edge = true;
   options.openings = false;
   options.front_share = 0.5;
   options.rules.suture_lattice_mm = 1.0;
-  options.rules.neochorda_lattice_mm = 2.0;
+  options.rules.neochorda_lattice_mm = 1.0;
   options.rules.most_movement_mm = 12.5;
   options.weights = {2.0,  3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,
                      10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0};

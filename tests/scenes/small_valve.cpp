@@ -112,4 +112,10 @@ Valve small_valve() {
   return valve;
 }
 
+Valve fitting_valve() {
+  Valve valve = small_valve();
+  valve.rest_mm *= 1.5;
+  return valve;
+}
+
 }  // namespace coapt

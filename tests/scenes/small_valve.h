@@ -12,4 +12,7 @@ namespace coapt {
 /// shape; chordae pull at vertices, and nothing resists bending.
 Valve small_valve();
 
+/// The same with leaflets so tall, at rest, that the true size of a ring is that of its annulus: 36 mm.
+Valve fitting_valve();
+
 }  // namespace coapt

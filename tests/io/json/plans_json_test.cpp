@@ -85,6 +85,8 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "region_failures",
                                              "margin_to_leak",
                                              "pareto",
+                                             "beaten_by",
+                                             "times_first",
                                              "probability_outranks_next",
                                              "acceptable_probability",
                                              "class",

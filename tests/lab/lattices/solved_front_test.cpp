@@ -11,7 +11,7 @@ namespace {
 
 /// Rings and sutures of the posteromedial muscle by 2 mm: small rings and tight sutures close the valve, small rings open less.
 SolvedFront solved_front() {
-  LatticeCase lattice{"functional", small_valve(), {}};
+  LatticeCase lattice{"functional", fitting_valve(), {}};
   lattice.rules.suture_lattice_mm = 2.0;
   lattice.rules.forbidden = {
       "papillary_approximation:anterolateral", "papillary_approximation:annulus_point",
@@ -19,12 +19,12 @@ SolvedFront solved_front() {
   SearchContext context;
   context.evaluate = scene::leak_of([](const Valve& valve) {
     return 2.0 * std::max(0.0, 6.0 - scene::moved_mm(valve, Side::Posteromedial) -
-                                   ring_sizes_below(small_valve(), valve));
+                                   ring_sizes_below(fitting_valve(), valve));
   });
   context.open = [](const Valve& valve) {
     PlanOpening opening;
     opening.measure.opening_area_mm2 = opening.measure.projected_area_mm2 =
-        400.0 - 40.0 * ring_sizes_below(small_valve(), valve);
+        400.0 - 40.0 * ring_sizes_below(fitting_valve(), valve);
     return opening;
   };
   return *solve_front(lattice, 1, context, {}, {});

@@ -16,7 +16,7 @@ Expected<SearchResult> evaluated(const std::vector<NamedPlan>& plans, const Eval
                                  int region_points = 17) {
   SearchOptions options = small_search();
   options.region_points = region_points;
-  return evaluate_plans(small_valve(), plans, options, context_of(evaluate));
+  return evaluate_plans(fitting_valve(), plans, options, context_of(evaluate));
 }
 
 /// Both muscles tied: 1 mm2. The posteromedial one: 3. The anterolateral one: 4. Else 9.

@@ -12,7 +12,7 @@ namespace {
 Evaluator narrow_closes() {
   return leak_of([](const Valve& valve) {
     const double far =
-        6.0 - moved_mm(valve, Side::Posteromedial) - ring_sizes_below(small_valve(), valve);
+        6.0 - moved_mm(valve, Side::Posteromedial) - ring_sizes_below(fitting_valve(), valve);
     return std::max(0.0, 2.0 * far);
   });
 }
@@ -22,7 +22,7 @@ PlanEvaluationOptions opening_less_by_ring(int threads) {
   options.open = [](const Valve& valve) {
     PlanOpening opening;
     opening.measure.opening_area_mm2 = opening.measure.projected_area_mm2 =
-        400.0 - 40.0 * ring_sizes_below(small_valve(), valve);
+        400.0 - 40.0 * ring_sizes_below(fitting_valve(), valve);
     return opening;
   };
   return options;
@@ -33,7 +33,7 @@ std::vector<PlanRecord*> candidates(PlanEvaluations& evaluations) {
   SearchRules rules;
   rules.forbidden = {"papillary_approximation:anterolateral",
                      "papillary_approximation:annulus_point"};
-  const PlanSpace space(small_valve(), rules);
+  const PlanSpace space(fitting_valve(), rules);
   std::set<PlanRecord*> seen;
   std::vector<PlanRecord*> plans;
   for (const Branch& branch : space.branches())

@@ -13,7 +13,7 @@ namespace {
 
 const std::string kWide = "generic-geoform-like";  // 1.12 times its size
 
-std::vector<Gate> gates(const RepairPlan& plan, const Valve& valve = small_valve()) {
+std::vector<Gate> gates(const RepairPlan& plan, const Valve& valve = fitting_valve()) {
   const Expected<Valve> repaired = apply_plan(valve, plan);
   EXPECT_TRUE(repaired);
   return operation_gates({plan, valve, *repaired});
@@ -96,15 +96,18 @@ TEST(Gates, RingsLabelled27OrLessPredictStenosis) {
   expect_gate(gates(own_ring(5)), "ring_stenosis", GateSeverity::Warn, "26.0 mm");
 }
 
-TEST(Gates, MoreThanFourSizesBelowIsRejectedInWidthOrArea) {
+TEST(Gates, MoreThanFourSizesBelowTheTrueOneIsRejectedByArea) {
   EXPECT_FALSE(is_rejected(gates(own_ring(4))));
-  expect_gate(gates(own_ring(4)), "undersizing", GateSeverity::Pass, "4.0 ring sizes");
-  expect_gate(gates(own_ring(5)), "undersizing", GateSeverity::Reject, "5.0 ring sizes");
+  expect_gate(gates(own_ring(4)), "undersizing", GateSeverity::Pass,
+              "3.7 sizes below the true size of 36.0 mm");
+  expect_gate(gates(own_ring(5)), "undersizing", GateSeverity::Reject, "4.8 sizes");
   expect_gate(gates(ring(26.0)), "undersizing", GateSeverity::Reject, "rejected in practice");
-  // 28 x 1.12 = 31.4 mm, two and a half sizes by width, but half as deep: by area 31.4 x 16.0 of
-  // 36 x 27 is a third less of either.
+  // 28 x 1.12 = 31.4 mm, but half as deep: by area 31.4 x 16.0 of 36 x 27 is a third less of either.
   expect_gate(gates(ring(28.0, kWide)), "undersizing", GateSeverity::Reject, "more than 4");
   EXPECT_TRUE(is_rejected(gates(own_ring(5))));
+  // Leaflets of 19 mm are too short for its annulus: their ring has 26 mm.
+  expect_gate(gates(RepairPlan{{own_ring(5)}}, small_valve()), "undersizing", GateSeverity::Pass,
+              "0.0 sizes below the true size of 25.9 mm");
 }
 
 TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
@@ -112,7 +115,7 @@ TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
               GateSeverity::Pass, "anterolateral muscle moved by 8.6 mm");
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 17.0)), "papillary_movement",
               GateSeverity::Warn, "11.6 mm");
-  Valve deep = small_valve();
+  Valve deep = fitting_valve();
   deep.heads[0].tip_mm.z() -= 10.0;
   RepairPlan both{{suture(Anchor::IpsilateralTrigone, 20.0),
                    PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 17.0}}};
@@ -124,7 +127,7 @@ TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
 TEST(Gates, SuturesAreAsLongAsTheyMustBeOrThePlanIsNone) {
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "suture_length", GateSeverity::Pass,
               "20.0 mm");
-  EXPECT_FALSE(apply_plan(small_valve(), {{suture(Anchor::IpsilateralTrigone, 14.0)}}));
+  EXPECT_FALSE(apply_plan(fitting_valve(), {{suture(Anchor::IpsilateralTrigone, 14.0)}}));
 }
 
 TEST(Gates, AnchorsOnThePosteriorAnnulusImpairFilling) {

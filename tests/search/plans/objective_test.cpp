@@ -136,14 +136,14 @@ TEST(Effort, IsABoundFromBelow) {
     EXPECT_GE(cost_of(closure, asked), effort_price(asked));
 }
 
-TEST(Effort, SizesCountTheAreaThatIsLostToAHealthyAnnulus) {
-  // 36 x 28 mm; healthy would be 36 x 27. Three sizes below in proportion: 30 x 23.33.
-  const Valve valve = small_valve();
+TEST(Effort, SizesCountTheAreaThatIsLostToTheTrueSize) {
+  // 36 x 28 mm; the true size is 36 x 27. Three sizes below in proportion: 30 x 23.33.
+  const Valve valve = fitting_valve();
   const RepairPlan plan{{Annuloplasty{OwnRing{3}}}};
   const double share = 30.0 * (28.0 * 30.0 / 36.0) / (36.0 * 27.0);
   EXPECT_NEAR(effort(valve, *apply_plan(valve, plan), plan).sizes_below,
               18.0 * (1.0 - std::sqrt(share)), 1e-9);
-  // A ring of healthy proportion and the same width takes nothing away, whatever the vertices make
+  // A ring of the same width and depth takes nothing away, whatever the vertices make
   // of it.
   const RepairPlan same{{Annuloplasty{OwnRing{0}}}};
   EXPECT_EQ(ring_sizes_below(valve, *apply_plan(valve, same)), 0.0);

@@ -56,12 +56,12 @@ TEST(PlanOpening, IsNotAssessedWhereTheOpenValveDidNotComeToRest) {
 TEST(PlanOpening, IsNotKnownBehindAClipAndRejectsNothing) {
   using enum GateSeverity;
   const RepairPlan clip{{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}};
-  const PlanOpening unknown = open_plan(*apply_plan(small_valve(), clip));
+  const PlanOpening unknown = open_plan(*apply_plan(fitting_valve(), clip));
   EXPECT_EQ(severities(unknown), (std::vector{NotAssessed, NotAssessed}));
   EXPECT_EQ(opening_gates(unknown)[0].finding, "opening not known behind a clip or stitch");
   EXPECT_FALSE(is_stenotic(unknown));
   EXPECT_EQ(price(opening_terms(unknown), {}), 0.0);
-  EXPECT_FALSE(open_plan(small_valve()).behind_clip);
+  EXPECT_FALSE(open_plan(fitting_valve()).behind_clip);
 
   PlanEvaluationOptions options = on_threads(1);
   options.open = open_plan;
@@ -100,12 +100,12 @@ TEST(PlanOpening, CountsInTheCostFromTheSecondNodeOn) {
 TEST(PlanOpening, ASearchLeavesANarrowRingWhereAWiderOneClosesAsWell) {
   // Competent with any ring; those of three sizes below and more open too little.
   const Evaluator closes = [](const Valve& valve, const ClosureResult*) {
-    const bool ring = ring_sizes_below(small_valve(), valve) > 0.5;
+    const bool ring = ring_sizes_below(fitting_valve(), valve) > 0.5;
     return ClosedPlan{leaking(ring ? 0.0 : 20.0), nullptr};
   };
   SearchContext context = context_of(closes);
   context.open = [](const Valve& valve) {
-    const double below = ring_sizes_below(small_valve(), valve);
+    const double below = ring_sizes_below(fitting_valve(), valve);
     return below > 2.5 ? opening(140.0, 8.0) : opening(300.0, 1.9);
   };
   const SearchResult result = searched(small_search(), context);

@@ -58,10 +58,29 @@ TEST(PlanOrder, AClassIsHeadedByItsSimplestMember) {
       with([](PlanMerits& plan) { plan.steps = 3; }),
       with([](PlanMerits& plan) { plan.steps = 2, plan.muscles = 1; }),
       with([](PlanMerits& plan) { plan.steps = 2, plan.sizes_below = 2.0; }),
-      with([](PlanMerits& plan) { plan.steps = 2, plan.sizes_below = 1.0, plan.leak_mm2 = 0.4; }),
-      with([](PlanMerits& plan) { plan.steps = 2, plan.sizes_below = 1.0, plan.leak_mm2 = 0.2; })};
+      with([](PlanMerits& plan) { plan.steps = 2, plan.sizes_below = 1.0, plan.leak_mm2 = 2.4; }),
+      with([](PlanMerits& plan) { plan.steps = 2, plan.sizes_below = 1.0, plan.leak_mm2 = 2.2; })};
   EXPECT_EQ(indices(plans), (std::vector{4, 3, 2, 1, 0}));
   EXPECT_EQ(classes(plans), (std::vector{1, 1, 1, 1, 1}));
+}
+
+TEST(PlanOrder, ATraceOfLeakDecidesNothingAndTissueIsKept) {
+  const std::vector<PlanMerits> plans = {
+      with([](PlanMerits& plan) { plan.resections = 1; }),
+      with([](PlanMerits& plan) { plan.sizes_below = 1.0; }),
+      with([](PlanMerits& plan) { plan.sizes_below = 0.4, plan.durability_mm -= 1.0; }),
+      with([](PlanMerits& plan) { plan.leak_mm2 = 0.6; })};
+  EXPECT_EQ(indices(plans), (std::vector{3, 2, 1, 0}));
+}
+
+TEST(PlanOrder, AFirstPlanThatHangsOnThresholdsIsFirstInSomeSettingsOnly) {
+  const std::vector<PlanMerits> plans = {
+      with([](PlanMerits& plan) { plan.steps = 2; }),
+      with([](PlanMerits& plan) { plan.steps = 1, plan.durability_mm -= 1.5; })};
+  EXPECT_EQ(indices(plans), (std::vector{1, 0}));
+  EXPECT_EQ(times_first(plans), (std::vector{9, 18})) << "within 1, 2 or 3 mm";
+  EXPECT_EQ(times_first({good()}), (std::vector{27}));
+  EXPECT_TRUE(times_first({}).empty());
 }
 
 TEST(PlanOrder, WhatLastsShorterOrOpensLessIsOfAnotherClassHoweverSimple) {

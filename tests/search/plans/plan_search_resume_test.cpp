@@ -77,7 +77,7 @@ TEST(ResumedSearch, InterruptedAnywhereItEndsAsIfItHadNotBeen) {
     keeper.most = most;
     SearchContext context = context_of(needs_suture);
     context.keep = keeper.function();
-    EXPECT_THROW((void)search_plans(small_valve(), long_search(), context), std::runtime_error);
+    EXPECT_THROW((void)search_plans(fitting_valve(), long_search(), context), std::runtime_error);
     Keeper rest;
     context.known = keeper.kept;
     context.keep = rest.function();
@@ -96,7 +96,7 @@ TEST(ResumedSearch, GivesUpAtTheFirstClosureThatCannotBeKept) {
     keeper.most = most;
     SearchContext context = context_of(needs_suture);
     context.keep = keeper.function();
-    EXPECT_THROW((void)search_plans(small_valve(), options, context), std::runtime_error);
+    EXPECT_THROW((void)search_plans(fitting_valve(), options, context), std::runtime_error);
     EXPECT_EQ(keeper.count, most + 1) << "nothing more is tried";
   }
 }
@@ -108,12 +108,12 @@ TEST(ResumedSearch, OwnPlansAreKnownAgainToo) {
   SearchContext context = context_of(needs_suture);
   context.keep = keeper.function();
   const Expected<SearchResult> fresh =
-      evaluate_plans(small_valve(), plans, small_search(), context);
+      evaluate_plans(fitting_valve(), plans, small_search(), context);
   ASSERT_TRUE(fresh);
   EXPECT_EQ(keeper.count, 2 * 9);
   context.known = keeper.kept;
   const Expected<SearchResult> again =
-      evaluate_plans(small_valve(), plans, small_search(), context);
+      evaluate_plans(fitting_valve(), plans, small_search(), context);
   ASSERT_TRUE(again);
   expect_same(*again, *fresh);
   EXPECT_EQ(again->closures_known, 2 * 9);

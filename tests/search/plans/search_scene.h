@@ -45,12 +45,12 @@ inline PlanClosure closure_leaking(double leak_mm2) { return plan_closure(leakin
 
 /// How far a muscle is from where it is in the small valve.
 inline double moved_mm(const Valve& valve, Side side) {
-  static const Valve before = small_valve();
+  static const Valve before = fitting_valve();
   return (papillary_tip_mm(valve, side) - papillary_tip_mm(before, side)).norm();
 }
 
 inline bool has_ring(const Valve& valve) {
-  static const Valve before = small_valve();
+  static const Valve before = fitting_valve();
   return valve.annulus_mm != before.annulus_mm;
 }
 
@@ -116,7 +116,7 @@ inline SearchOptions small_search() {
 inline SearchContext context_of(const Evaluator& evaluate) { return {.evaluate = evaluate}; }
 
 inline SearchResult searched(const SearchOptions& options, const SearchContext& context) {
-  const Expected<SearchResult> result = search_plans(small_valve(), options, context);
+  const Expected<SearchResult> result = search_plans(fitting_valve(), options, context);
   EXPECT_TRUE(result);
   return result ? *result : SearchResult{};
 }
@@ -153,7 +153,7 @@ struct EvaluationScene {
                            const std::atomic<bool>* cancelled = nullptr)
       : evaluate(std::move(stub)),
         monitor(0.0, cancelled),
-        evaluations(evaluate, small_valve(), std::move(options), monitor) {}
+        evaluations(evaluate, fitting_valve(), std::move(options), monitor) {}
 
   PlanRecord& closed(const RepairPlan& plan, int nodes) {
     PlanRecord& record = evaluations.record(plan);

@@ -56,6 +56,19 @@ TEST(Verdict, NamesTheAnchorsOfTheFirstPlansClass) {
             std::string::npos);
 }
 
+TEST(Verdict, CallsAPlanThatHangsOnThresholdsAChoice) {
+  RankedPlan first = plan_of(1, kRing), other = plan_of(3, sutured(Side::Posteromedial, {}));
+  first.times_first = 18;
+  other.times_first = 9;
+  const std::string said = verdict_of({first, plan_of(2, kRing), other});
+  EXPECT_NE(said.find("plan 1 does in 18 of 27 settings, plan 3 in 9. Take it as a choice."),
+            std::string::npos)
+      << said;
+  first.times_first = 27;
+  other.times_first = 0;
+  EXPECT_EQ(verdict_of({first, other}).find("choice"), std::string::npos);
+}
+
 TEST(Verdict, SaysThatNoPlanIsAcceptable) {
   RankedPlan bad = plan_of(1, kRing);
   bad.is_acceptable = false;

@@ -117,6 +117,9 @@ function badges(plan: RankedPlan): HTMLElement[] {
     isAcceptable(plan) ? badge('good', '✓ ', term('acceptable', 'acceptable')) : badge('warn', '! not acceptable'),
     ...(plan.tie_with_next ? [badge('soft', '= ties with the next')] : []),
     ...(plan.pareto ? [badge('soft', term('pareto', 'Pareto'))] : []),
+    ...(plan.beaten_by
+      ? [badge('soft', `plan ${plan.beaten_by.rank} is better in ${plan.beaten_by.in.join(' and ')}`)]
+      : []),
   ]
 }
 

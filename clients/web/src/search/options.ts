@@ -64,7 +64,7 @@ export const LIMITS: NumberOption[] = [
     least: 0.5,
     most: 5,
     step: 0.1,
-    fallback: 1,
+    fallback: 2,
   },
 ]
 
@@ -185,7 +185,7 @@ export const STEPS_ON_REQUEST: Switch[] = [
   { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
   { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
-  { pointer: '/rules/leaflet_resection', label: 'Resect leaflets', fallback: false },
+  { pointer: '/rules/leaflet_resection', label: 'Resect the posterior leaflet', fallback: true },
   { pointer: '/rules/edge_to_edge', label: 'Edge-to-edge repair', fallback: false },
 ]
 

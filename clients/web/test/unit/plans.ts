@@ -98,6 +98,8 @@ export function planOf(given: Given): RankedPlan {
     projected_area_mm2: opening_mm2,
     durability_mm: given.durability_mm === undefined ? 9 : given.durability_mm,
     pareto: given.pareto ?? false,
+    beaten_by: null,
+    times_first: 0,
     tie_with_next: tie,
     probability_outranks_next: tie ? 0.6 : 1,
   } as unknown as RankedPlan

@@ -1,0 +1,16 @@
+// Simpler versions of a plan. A branch is climbed to one plan only, by what lasts longest; of plans that cannot be told apart the
+// simplest comes first (plan_order.h), so it has to be asked, too.
+#pragma once
+
+#include <vector>
+
+#include "search/plans/rules.h"
+
+namespace coapt {
+
+/// Those that are others than the plan, and possible: with a catalogue ring of the true size in place of a smaller one; with sutures to the trigone
+/// in place of free points of the annulus, which move the muscle as far, at most kUsualMovement_mm; with both. What rules fix or forbid is left as it is.
+std::vector<RepairPlan> simpler_plans(const Valve& valve, const RepairPlan& plan,
+                                      const SearchRules& rules);
+
+}  // namespace coapt

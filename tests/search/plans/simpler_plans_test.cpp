@@ -1,0 +1,61 @@
+#include "search/plans/simpler_plans.h"
+
+#include <gtest/gtest.h>
+
+#include "core/repair/apply_plan.h"
+#include "core/repair/approximation.h"
+#include "core/repair/limits.h"
+#include "core/repair/ring_sizing.h"
+#include "tests/scenes/small_preset.h"
+
+namespace coapt {
+namespace {
+
+const Valve& functional() { return shared_preset("human-functional-mr", 200); }
+
+RepairStep ring(double size_mm) { return Annuloplasty{CatalogueRing{"generic-classic", size_mm}}; }
+
+RepairStep free_suture(double length_mm) {
+  return PapillaryApproximation{.side = Side::Posteromedial,
+                                .anchor = Anchor::AnnulusPoint,
+                                .annulus_around = 0.05,
+                                .suture_length_mm = length_mm};
+}
+
+TEST(SimplerPlans, ASmallRingGetsItsTrueSize) {
+  const auto simpler = simpler_plans(functional(), {{ring(26.0)}}, {});
+  ASSERT_EQ(simpler.size(), 1u);
+  const auto& made = std::get<CatalogueRing>(std::get<Annuloplasty>(simpler[0].steps[0]).ring);
+  EXPECT_EQ(made.size_mm, 30.0);
+  EXPECT_LT(ring_sizes_below(functional(), *apply_plan(functional(), simpler[0])), 0.5);
+  EXPECT_TRUE(simpler_plans(functional(), {{ring(30.0)}}, {}).empty());
+  EXPECT_TRUE(simpler_plans(functional(), {{Annuloplasty{OwnRing{3}}}}, {}).empty());
+}
+
+TEST(SimplerPlans, AFreePointBecomesTheTrigoneWithAsMuchMovement) {
+  const RepairPlan plan{{ring(26.0), free_suture(24.0)}};
+  const auto simpler = simpler_plans(functional(), plan, {});
+  ASSERT_EQ(simpler.size(), 3u) << "the trigone, the true size, both";
+  const auto tip = [](const RepairPlan& made) {
+    return papillary_tip_mm(*apply_plan(functional(), made), Side::Posteromedial);
+  };
+  const Vec3 before = papillary_tip_mm(functional(), Side::Posteromedial);
+  for (const std::size_t i : {0u, 2u}) {
+    const PapillaryApproximation& suture = *suture_of(simpler[i], Side::Posteromedial);
+    EXPECT_EQ(suture.anchor, Anchor::IpsilateralTrigone);
+    EXPECT_LE((tip(simpler[i]) - before).norm(), kUsualMovement_mm + 1e-9);
+    EXPECT_GT((tip(simpler[i]) - before).norm(), 3.0);
+  }
+}
+
+TEST(SimplerPlans, WhatRulesFixOrForbidIsLeftAsItIs) {
+  const RepairPlan plan{{ring(26.0), free_suture(24.0)}};
+  SearchRules rules;
+  rules.fixed.steps = {ring(26.0)};
+  EXPECT_EQ(simpler_plans(functional(), plan, rules).size(), 1u);
+  rules.forbidden = {"papillary_approximation:ipsilateral_trigone"};
+  EXPECT_TRUE(simpler_plans(functional(), plan, rules).empty());
+}
+
+}  // namespace
+}  // namespace coapt
