@@ -3,7 +3,7 @@
 
   indications_table.py [OUTPUT] [--members 12] [--population-seed 7] [--evaluations 600] [--seed 1] [--coapt build/release/bin/coapt]
 
-Presets, remodelled presets, and members of the population of adults, all of known disease. A first plan is `indicated` if it has no step for a
+Presets, remodelled presets, and members of the population of adults, all of known disease; one that closes all the same counts as competent. A first plan is `indicated` if it has no step for a
 competent valve; else a ring, 3 : 4 unless leaflets are tethered, neochordae or a resection on every leaflet that was made to prolapse, and papillary
 sutures for tethered leaflets alone; and if it carries no warning of practice that can be avoided.
 """
@@ -99,6 +99,8 @@ def main():
             search = ("--evaluations", options.evaluations, "--seed", options.seed, "--plans", 3, "--region-points", 17)
             result = json.loads(run("plan", file, *search, "--json"))
             found = result["diagnosis"]
+            if found["competent"]:  # a disease that does not leak
+                kind = "competent"
             first = result["plans"][0] if result["plans"] else None
             warnings = (
                 [gate["rule"] for gate in first["gates"] if gate["severity"] == "warn" and gate["rule"] in AVOIDABLE]

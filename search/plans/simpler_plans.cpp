@@ -49,8 +49,7 @@ RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules&
   if (!ringed) return plan;
   for (RepairStep& step : plan.steps) {
     auto* const suture = std::get_if<PapillaryApproximation>(&step);
-    if (suture == nullptr || suture->anchor != Anchor::AnnulusPoint || is_fixed(rules, step))
-      continue;
+    if (suture == nullptr || is_fixed(rules, step)) continue;
     const double movement = std::min(
         kUsualMovement_mm, anchor_distance_mm(*ringed, *suture) - suture->suture_length_mm);
     suture->anchor = Anchor::IpsilateralTrigone;

@@ -1,5 +1,5 @@
 // Simpler versions of a plan. A branch is climbed to one plan only, by what lasts longest; of plans that cannot be told apart the
-// simplest comes first (plan_order.h), so it has to be asked, too.
+// simplest comes first (plan_order.h), so it has to be asked, too, and so has the trigone, which the thesis found to be the better anchor.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 namespace coapt {
 
 /// Those that are others than the plan, and possible: with a catalogue ring of the true size in place of a smaller one; with sutures to the trigone
-/// in place of free points of the annulus, which move the muscle as far, at most kUsualMovement_mm; with both. What rules fix or forbid is left as it is.
+/// in place of other anchors, which move the muscle as far, at most kUsualMovement_mm; with both. What rules fix or forbid is left as it is.
 std::vector<RepairPlan> simpler_plans(const Valve& valve, const RepairPlan& plan,
                                       const SearchRules& rules);
 
