@@ -19,18 +19,35 @@ const char* to_string(ErrorCause cause) {
   return "";
 }
 
+const std::optional<Interval>& part_of(const Estimate& estimate, ErrorCause cause) {
+  switch (cause) {
+    case ErrorCause::Numerical:
+      return estimate.numerical;
+    case ErrorCause::Tissue:
+      return estimate.tissue;
+    case ErrorCause::Execution:
+      break;
+  }
+  return estimate.execution;
+}
+
 std::optional<ErrorCause> widest(const Estimate& estimate) {
   std::optional<ErrorCause> cause;
   double width = -1.0;
-  const auto look_at = [&](const std::optional<Interval>& part, ErrorCause of) {
-    if (!part || !(part->high - part->low > width)) return;
+  for (const ErrorCause of : {ErrorCause::Numerical, ErrorCause::Tissue, ErrorCause::Execution}) {
+    const std::optional<Interval>& part = part_of(estimate, of);
+    if (!part || !(part->high - part->low > width)) continue;
     width = part->high - part->low;
     cause = of;
-  };
-  look_at(estimate.numerical, ErrorCause::Numerical);
-  look_at(estimate.tissue, ErrorCause::Tissue);
-  look_at(estimate.execution, ErrorCause::Execution);
+  }
   return cause;
+}
+
+double half_width(const Estimate& estimate) {
+  const std::optional<ErrorCause> cause = widest(estimate);
+  if (!cause) return std::numeric_limits<double>::quiet_NaN();
+  const Interval wide = *part_of(estimate, *cause);
+  return 0.5 * (wide.high - wide.low);
 }
 
 std::optional<Interval> area_interval(double area_mm2, double error_mm2) {

@@ -30,6 +30,11 @@ struct Estimate {
 
 const char* to_string(ErrorCause cause);  ///< "numerical", "tissue", "execution"
 
+const std::optional<Interval>& part_of(const Estimate& estimate, ErrorCause cause);
+
+/// Of the widest known interval; NaN if nothing is known.
+double half_width(const Estimate& estimate);
+
 /// The cause of the widest known interval, the first of equal ones; none if nothing is known.
 std::optional<ErrorCause> widest(const Estimate& estimate);
 

@@ -150,9 +150,25 @@ Json durability_json(const RankedPlan& ranked) {
           {"durability_price", ranked.durability_price}};
 }
 
+/// {"value", and the members of an Estimate}.
+Json estimate_json(const Estimate& estimate) {
+  Json json = {{"value", estimate.value}};
+  json.update(to_json(estimate));
+  return json;
+}
+
+/// All but the leak, which has a member of its own.
+Json estimates_json(const PlanEstimates& estimates) {
+  return {{"coaptation_a2_p2_mm", estimate_json(estimates.coaptation_mm)},
+          {"tension_max_n", estimate_json(estimates.tension_max_n)},
+          {"opening_area_mm2", estimate_json(estimates.opening_mm2)},
+          {"gradient_mmhg", estimate_json(estimates.gradient_mmhg)},
+          {"durability_mm", estimate_json(estimates.durability_mm)}};
+}
+
 Json leak_json(const RankedPlan& ranked) {
   Json json = {{"area_mm2", ranked.measure.leak.area_mm2}};
-  json.update(to_json(ranked.leak));
+  json.update(to_json(ranked.estimates.leak_mm2));
   return json;
 }
 
@@ -168,6 +184,7 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   json.update({{"plan", to_json(ranked.plan)},
                {"description", ranked.description},
                {"leak", leak_json(ranked)},
+               {"estimates", estimates_json(ranked.estimates)},
                {"leak_mm2", statistics_json(region.leak_mm2)},
                {"cost", ranked.cost},
                {"cost_terms", terms_json(ranked.terms)},
@@ -234,7 +251,8 @@ Json before_json(const SearchResult& result) {
   const Evaluation& before = result.before;
   Json json = {{"status", to_string(before.status)}, {"crossing", before.crossing}};
   json.update(to_json(before.measure));
-  json["leak"].update(to_json(result.leak_before));
+  json["leak"].update(to_json(result.before_estimates.leak_mm2));
+  json["estimates"] = estimates_json(result.before_estimates);
   json.update(opening_json(result.opening_before));
   return json;
 }

@@ -64,9 +64,9 @@ Gate chordal_tension(const Evaluation& repaired, const Evaluation& before) {
   const std::string figures =
       "from " + with_decimals(usual, 1) + " to " + with_decimals(now, 1) + " N";
   if (now <= kTensionRise * std::max(usual, kTensionFloor_n))
-    return {kRule, GateSeverity::Pass, "peak chordal tension goes " + figures, kPractice};
+    return {kRule, GateSeverity::Pass, "highest chordal tension goes " + figures, kPractice};
   return {kRule, GateSeverity::Warn,
-          "peak chordal tension rises more than threefold (" + figures +
+          "highest chordal tension rises more than threefold (" + figures +
               "), as with neochordae 5 % too short",
           kPractice};
 }

@@ -3,31 +3,45 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/metrics/area_error.h"
+
 namespace coapt {
 namespace {
 
 constexpr double kOneCourse = 1.0 / 8.0;  // of a course
 
-bool leaks(const PlanClosure& closure) {
-  return !trusted(closure) || closure.leak_mm2 > kMildLeak_mm2;
+bool leaks(const PlanClosure& closure, double most_mm2 = kMildLeak_mm2) {
+  return !trusted(closure) || closure.leak_mm2 > most_mm2;
 }
 
-/// Along one course; what is not closed does not leak.
-double lasts_mm(const PlanRecord& plan, const DiseaseCourse& course) {
-  double before_mm2 = 0.0;
+/// Along one course until it leaks more than `most_mm2`; what is not closed does not leak, but goes on rising behind a leak.
+double lasts_mm(const PlanRecord& plan, const DiseaseCourse& course,
+                double most_mm2 = kMildLeak_mm2) {
+  double before_mm2 = 0.0, rise_mm2 = 0.0;
   for (std::size_t step = 0; step < course.indices.size(); ++step) {
     const auto found = plan.closures.find(course.indices[step]);
-    if (found == plan.closures.end()) break;
+    const double last = static_cast<double>(step) - 1.0;  // that leaks less
+    if (found == plan.closures.end()) {
+      if (before_mm2 <= kMildLeak_mm2) break;
+      return std::min(kFurthestCourse_mm,
+                      kCourseStep_mm * (last + (most_mm2 - before_mm2) / rise_mm2));
+    }
     const PlanClosure& closure = found->second;
-    if (leaks(closure)) {
-      const double share = trusted(closure) && step > 0
-                               ? (kMildLeak_mm2 - before_mm2) / (closure.leak_mm2 - before_mm2)
-                               : 0.0;
-      return kCourseStep_mm * std::max(0.0, static_cast<double>(step) - 1.0 + share);
+    rise_mm2 = closure.leak_mm2 - before_mm2;
+    if (leaks(closure, most_mm2)) {
+      const double share = trusted(closure) && step > 0 ? (most_mm2 - before_mm2) / rise_mm2 : 0.0;
+      return kCourseStep_mm * std::max(0.0, last + share);
     }
     before_mm2 = closure.leak_mm2;
   }
   return kFurthestCourse_mm;
+}
+
+double expected_mm(const PlanRecord& plan, double most_mm2) {
+  double expected = 0.0;
+  for (const DiseaseCourse& course : disease_courses())
+    expected += kOneCourse * lasts_mm(plan, course, most_mm2);
+  return expected;
 }
 
 /// The next closure of a course; none if it is at its end or at a leak.
@@ -52,12 +66,14 @@ std::optional<Durability> durability(const PlanRecord& plan) {
   return all;
 }
 
-double most_durable_mm(const PlanRecord& plan) {
-  double expected = 0.0;
-  for (const DiseaseCourse& course : disease_courses())
-    expected += kOneCourse * lasts_mm(plan, course);
-  return expected;
+std::optional<Interval> durability_interval(const PlanRecord& plan, int triangles) {
+  if (!durability(plan)) return std::nullopt;
+  const double error_mm2 = area_error_mm2(kMildLeak_mm2, {.triangles = triangles});
+  return Interval{expected_mm(plan, kMildLeak_mm2 - error_mm2),
+                  expected_mm(plan, kMildLeak_mm2 + error_mm2)};
 }
+
+double most_durable_mm(const PlanRecord& plan) { return expected_mm(plan, kMildLeak_mm2); }
 
 bool close_disease_step(PlanEvaluations& evaluations, std::span<PlanRecord* const> plans,
                         PlanEvaluations::Phase phase) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "core/metrics/estimate.h"
 #include "search/plans/plan_evaluations.h"
 
 namespace coapt {
@@ -20,6 +21,10 @@ inline constexpr double kFurthestCourse_mm = kCourseSteps * kCourseStep_mm;
 
 /// None unless all courses are closed up to where the plan leaks. Where a closure failed the valve counts as leaking.
 std::optional<Durability> durability(const PlanRecord& plan);
+
+/// What the numerical error of leaks (core/metrics/area_error.h) makes of Durability::expected_mm: leaks pass kMildLeak_mm2 so much
+/// earlier or later. Beyond the last closure of a course its leak goes on rising as it did. None as durability().
+std::optional<Interval> durability_interval(const PlanRecord& plan, int triangles);
 
 /// Durability::expected_mm if what is not closed yet does not leak.
 double most_durable_mm(const PlanRecord& plan);

@@ -63,6 +63,16 @@ std::vector<Draw> drawn(const PlanEvaluations& evaluations, int count, int block
   return draws;
 }
 
+/// How many draws each block has, and how many blocks there are at most.
+struct Drawing {
+  int draws = 0, blocks = 1;
+};
+
+Drawing drawing_of(const Valve& valve, int asked) {
+  if (asked == 0 || valve.observed.empty()) return {.draws = asked};
+  return {std::max(asked, kConditionedDraws), kMostBlocks};
+}
+
 /// The plan, or none, on a valve with the material of a draw.
 std::optional<Valve> planned(const std::optional<Valve>& valve, const PlanRecord* plan,
                              const std::vector<double>& shares) {
@@ -107,12 +117,12 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
   ModelClosures model;
   if (asked == 0) return model;
   const std::vector<Observation>& observed = evaluations.valve().observed;
-  const int draws = observed.empty() ? asked : std::max(asked, kConditionedDraws);
+  const auto [draws, blocks] = drawing_of(evaluations.valve(), asked);
   model.draws = draws;
   std::vector<Draw> pool;
   std::vector<Before> before;
   Conditioning found;
-  for (int block = 0; block < (observed.empty() ? 1 : kMostBlocks); ++block) {
+  for (int block = 0; block < blocks; ++block) {
     std::vector<Draw> more = drawn(evaluations, draws, block);
     const std::vector<std::optional<Before>> closed = close_before(evaluations, more);
     for (const std::optional<Before>& one : closed) {
@@ -167,6 +177,11 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
         trusted(own.closure) ? own.closure.tension_max_n : std::numeric_limits<double>::infinity();
   }
   return model;
+}
+
+int most_draw_closures(const Valve& valve, int plans, int asked) {
+  const auto [draws, blocks] = drawing_of(valve, asked);
+  return draws * (blocks + plans);
 }
 
 ModelSpread model_spread(const std::vector<PlanClosure>& by_draw) {

@@ -45,6 +45,9 @@ struct ModelClosures {
 ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                                 int asked);
 
+/// How many closures that makes at most.
+int most_draw_closures(const Valve& valve, int plans, int asked);
+
 ModelSpread model_spread(const std::vector<PlanClosure>& by_draw);
 
 /// A plan in one draw, beside itself on its own material.

@@ -10,8 +10,8 @@
 #include "search/plans/front_search.h"
 #include "search/plans/model_closures.h"
 #include "search/plans/pareto.h"
+#include "search/plans/plan_estimates.h"
 #include "search/plans/plan_key.h"
-#include "search/plans/plan_leak.h"
 #include "search/plans/ranking.h"
 #include "search/plans/search_option_table.h"
 
@@ -34,7 +34,7 @@ void tell_before(const PlanEvaluations& evaluations, SearchResult& result) {
   const Valve& valve = evaluations.valve();
   const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
   result.before = before.evaluation;
-  result.leak_before = leak_before(before.evaluation.measure, 0.0, {}, {});
+  result.before_estimates = estimates_before(evaluations, before.evaluation.measure, {}, {}, {});
   result.closed_before = closed_valve(valve, before);
   if (result.closed_before)
     result.diagnosis = diagnose(valve, result.closed_before->closure, before.evaluation.measure);
@@ -82,8 +82,8 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   if (model.draws > 0) result.observed = evaluations.valve().observed;
   result.effective_draws = model.effective;
   result.observed_contradicts = model.contradicts;
-  result.leak_before = leak_before(result.before.measure,
-                                   evaluations.before().measure.leak.area_mm2, fine.mesh, model);
+  result.before_estimates =
+      estimates_before(evaluations, result.before.measure, result.opening_before, fine.mesh, model);
 }
 
 /// None if too few for a round.

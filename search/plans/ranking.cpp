@@ -17,8 +17,8 @@
 #include "search/plans/closure_gates.h"
 #include "search/plans/durability.h"
 #include "search/plans/pareto.h"
+#include "search/plans/plan_estimates.h"
 #include "search/plans/plan_key.h"
-#include "search/plans/plan_leak.h"
 #include "search/plans/plan_order.h"
 #include "search/plans/simpler_plans.h"
 #include "search/plans/strength_gates.h"
@@ -352,7 +352,7 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     plan.is_acceptable = is_acceptable(merits.back());
     if (const auto drawn = model.plans.find(record); drawn != model.plans.end())
       plan.model = model_spread(drawn->second);
-    plan.leak = plan_leak(*record, plan.measure, nodes, fine, model);
+    plan.estimates = plan_estimates(evaluations, *record, plan.measure, nodes, fine, model);
   }
   if (finely) {
     int place = 0;

@@ -121,7 +121,7 @@ constexpr OptionRow<CostWeights> kWeights[] = {
      "More, per size above what practice accepts."},
     {"step", &CostWeights::step, kPrice, "", "Per step."},
     {"tension", &CostWeights::tension, kPrice, "",
-     "Per newton of peak chordal tension above the unrepaired valve's."},
+     "Per newton of highest chordal tension above the unrepaired valve's."},
     {"gradient_above_3", &CostWeights::gradient_above_3, kPrice, "",
      "Per mmHg of mean gradient in diastole above 3."},
     {"gradient_above_5", &CostWeights::gradient_above_5, kPrice, "", "More, per mmHg above 5."},

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/closed/diagnosis.h"
-#include "core/metrics/estimate.h"
 #include "search/plans/durability.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/gates.h"
 #include "search/plans/ladder.h"
 #include "search/plans/model_closures.h"
+#include "search/plans/plan_estimates.h"
 #include "search/plans/plan_space.h"
 #include "search/plans/region_report.h"
 #include "search/plans/search_progress.h"
@@ -39,8 +39,7 @@ struct RankedPlan {
   std::shared_ptr<const ClosedValve> closed;
   Effort effort;
   RegionReport region;
-  /// As planned (measure.leak): numerical by the finer mesh where it was closed there, tissue by the draws, execution by the region.
-  Estimate leak{};
+  PlanEstimates estimates{};               ///< as planned
   std::optional<PlanOpening> opening{};    ///< none if openings were not asked for
   std::optional<Durability> durability{};  ///< with the evidence, or from the front
   double durability_price =
@@ -120,7 +119,7 @@ struct SearchResult {
   std::vector<Observation> observed{};  ///< that the draws were weighed by
   double effective_draws = 0.0;         ///< see ModelClosures::effective
   bool observed_contradicts = false;    ///< the model: the draws are not weighed
-  Estimate leak_before{};               ///< as RankedPlan::leak; no hand has touched it
+  PlanEstimates before_estimates{};     ///< of the valve as it is
   int model_closures = 0;               ///< made for these draws; `closures` does not count them
   /// Whether a ranked plan is acceptable.
   bool any_acceptable = false;

@@ -198,6 +198,8 @@ inline SearchResult search_result() {
   SearchResult result;
   result.before.measure = measured({52.0, 2.6, 0.48});
   result.plans = {first(), second(), third()};
+  for (RankedPlan& plan : result.plans) plan.estimates.leak_mm2.value = plan.measure.leak.area_mm2;
+  result.before_estimates.leak_mm2.value = result.before.measure.leak.area_mm2;
   result.fine_mesh = {1, 2592, PlanClosure{ClosureStatus::Converged, false, 47.25, 2.4, 3.1, 0.47},
                       4};
   result.model_draws = 8;

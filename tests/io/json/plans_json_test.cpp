@@ -71,6 +71,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "plan",
                                              "description",
                                              "leak",
+                                             "estimates",
                                              "leak_mm2",
                                              "cost",
                                              "cost_terms",
@@ -115,8 +116,9 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
 
 TEST(PlansJson, APlanStatesWhatIsKnownOfItsLeakApartByCause) {
   SearchResult result = search_result();
-  result.plans[0].leak = {0.25, Interval{0.0, 0.5}, Interval{0.0, 7.5}, std::nullopt};
-  result.leak_before = {52.0, Interval{48.0, 55.0}, Interval{16.0, 78.0}, std::nullopt};
+  result.plans[0].estimates.leak_mm2 = {0.25, Interval{0.0, 0.5}, Interval{0.0, 7.5}, std::nullopt};
+  result.before_estimates.leak_mm2 = {52.0, Interval{48.0, 55.0}, Interval{16.0, 78.0},
+                                      std::nullopt};
   const Json json = written(to_json(result));
   const Json& leak = json["plans"][0]["leak"];
   EXPECT_EQ(leak["area_mm2"], json["plans"][0]["measure"]["leak_mm2"]);
@@ -125,6 +127,25 @@ TEST(PlansJson, APlanStatesWhatIsKnownOfItsLeakApartByCause) {
   EXPECT_TRUE(leak["execution"].is_null());
   EXPECT_EQ(json["before"]["leak"]["numerical"].dump(), "[48.0,55.0]");
   EXPECT_EQ(json["before"]["leak"]["tissue"].dump(), "[16.0,78.0]");
+}
+
+TEST(PlansJson, APlanStatesWhatIsKnownOfTheFiguresOfRules) {
+  SearchResult result = search_result();
+  result.plans[0].estimates.opening_mm2 = {320.0, Interval{300.0, 340.0}, std::nullopt,
+                                           std::nullopt};
+  result.plans[0].estimates.tension_max_n = {1.5, Interval{1.25, 1.75}, Interval{1.0, 2.0},
+                                             Interval{1.0, 3.0}};
+  const Json json = written(to_json(result));
+  const Json& estimates = json["plans"][0]["estimates"];
+  EXPECT_EQ(keys(estimates),
+            (std::vector<std::string>{"coaptation_a2_p2_mm", "tension_max_n", "opening_area_mm2",
+                                      "gradient_mmhg", "durability_mm"}));
+  EXPECT_EQ(estimates["opening_area_mm2"].dump(),
+            R"({"value":320.0,"numerical":[300.0,340.0],"tissue":null,"execution":null})");
+  EXPECT_EQ(estimates["tension_max_n"].dump(),
+            R"({"value":1.5,"numerical":[1.25,1.75],"tissue":[1.0,2.0],"execution":[1.0,3.0]})");
+  EXPECT_TRUE(estimates["durability_mm"]["value"].is_null());
+  EXPECT_EQ(keys(json["before"]["estimates"]), keys(estimates));
 }
 
 TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {

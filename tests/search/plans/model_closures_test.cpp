@@ -108,6 +108,22 @@ TEST(ModelClosures, DrawsArePickedAsTheyAgreeWithWhatWasObserved) {
   }
 }
 
+TEST(ModelClosures, AreNoMoreThanWasSaid) {
+  Valve valve = small_valve();
+  const Evaluator evaluate = by_stiffness();
+  for (const bool observed : {false, true}) {
+    if (observed) valve.observed = {{ObservedFigure::Leak, 500.0, 2.0, ""}};  // no draw agrees
+    SearchMonitor monitor(0.0, nullptr);
+    PlanEvaluations evaluations(evaluate, valve, on_threads(1), monitor);
+    PlanRecord& ring = evaluations.record(own_ring(1));
+    const std::vector<PlanEvaluations::Wanted> wanted = {{&ring, 0}};
+    ASSERT_TRUE(evaluations.close(wanted, PlanEvaluations::Phase::Ranking));
+    EXPECT_EQ(close_under_draws(evaluations, {&ring}, kDraws).closures,
+              most_draw_closures(valve, 1, kDraws));
+    EXPECT_EQ(most_draw_closures(valve, 1, 0), 0);
+  }
+}
+
 TEST(ModelClosures, WhatWasObservedMayContradictTheModel) {
   Valve valve = small_valve();
   valve.observed = {{ObservedFigure::Leak, 500.0, 2.0, ""}};

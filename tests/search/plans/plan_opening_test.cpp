@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/metrics/area_error.h"
 #include "core/repair/apply_plan.h"
 #include "search/plans/durability.h"
 #include "search/plans/pareto.h"
@@ -142,6 +143,20 @@ TEST(Durability, IsUnknownWithoutAllCoursesAndZeroWhereThePlanLeaksAtOnce) {
   PlanRecord leaks = leaking_by(0.4);
   leaks.closures[0] = closure_leaking(6.0);
   EXPECT_EQ(durability(leaks)->expected_mm, 0.0);
+}
+
+TEST(Durability, LiesWhereLeaksPassTheLimitWithinTheirNumericalError) {
+  const double error_mm2 = area_error_mm2(5.0, {.triangles = 650});
+  const Interval within = *durability_interval(leaking_by(2.0), 650);
+  EXPECT_DOUBLE_EQ(within.low, 0.5 * (5.0 - error_mm2));
+  EXPECT_DOUBLE_EQ(within.high, 0.5 * (5.0 + error_mm2));
+  // A course of which nothing is closed behind its leak goes on rising as it did.
+  PlanRecord ended = leaking_by(2.0);
+  for (const DiseaseCourse& course : disease_courses()) ended.closures.erase(course.indices[2]);
+  EXPECT_EQ(*durability_interval(ended, 650), within);
+  // As far as courses go.
+  EXPECT_EQ(durability_interval(leaking_by(0.1), 650), (Interval{12.0, 12.0}));
+  EXPECT_FALSE(durability_interval(PlanRecord{}, 650));
 }
 
 TEST(Durability, AClosureThatFailsCountsAsLeaking) {

@@ -23,15 +23,16 @@ RepairPlan sutured(Side side, Anchor anchor) {
 const RepairPlan kRing{{Annuloplasty{CatalogueRing{"generic-classic", 32.0}}}};
 
 TEST(Verdict, SaysThatNoOperationIsNeeded) {
-  EXPECT_EQ(verdict_of({plan_of(1, {})}),
-            "As it is the valve leaks less than 5 mm² with a probability of 97 %, over what is not "
-            "known of tissue and mesh: no operation is needed.");
+  EXPECT_EQ(
+      verdict_of({plan_of(1, {})}),
+      "As it is the valve leaks less than 5 mm² with a probability of 97.0 %, over what is not "
+      "known of tissue and mesh: no operation is needed.");
   EXPECT_EQ(verdict_of({}), "");
 }
 
 TEST(Verdict, SaysWhichPlansCannotBeToldApart) {
   EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing, 2)}),
-            "Plan 1 leaks less than 5 mm² with a probability of 97 %, over errors of the hand, "
+            "Plan 1 leaks less than 5 mm² with a probability of 97.0 %, over errors of the hand, "
             "tissue and mesh.");
   EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing)}).find("Plans 1 to 2 cannot"), 0u);
 }

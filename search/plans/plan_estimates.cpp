@@ -1,0 +1,121 @@
+#include "search/plans/plan_estimates.h"
+
+#include <algorithm>
+
+#include "core/metrics/area_error.h"
+#include "core/metrics/figure_error.h"
+#include "search/plans/durability.h"
+
+namespace coapt {
+namespace {
+
+using Closures = std::vector<const PlanClosure*>;
+
+/// One valve, repaired or not, closed in all the ways that say something of its figures.
+struct Known {
+  const ValveMeasure& measure;
+  PlanClosure own;  ///< as a search closes it
+  int triangles = 0;
+  const PlanClosure* finer = nullptr;  ///< null: not closed, or not to be trusted
+  int finer_triangles = 0;
+  Closures draws{}, region{};
+  std::optional<PlanOpening> opening{};
+};
+
+int triangles_of(const PlanEvaluations& evaluations) {
+  return static_cast<int>(evaluations.valve().faces.rows());
+}
+
+Closures addresses(const std::vector<PlanClosure>& closures) {
+  Closures all;
+  for (const PlanClosure& closure : closures) all.push_back(&closure);
+  return all;
+}
+
+/// Of those closures that are to be trusted: as far from `measured` as each is from that of the valve's own.
+std::optional<Interval> changed(const Closures& closures, double PlanClosure::*figure,
+                                const PlanClosure& own, double measured) {
+  std::vector<double> values;
+  for (const PlanClosure* closure : closures)
+    if (trusted(*closure))
+      values.push_back(std::max(0.0, measured + closure->*figure - own.*figure));
+  return sampled_interval(values);
+}
+
+Estimate with_spread(Estimate estimate, const Known& known, double PlanClosure::*figure) {
+  if (!trusted(known.own)) return estimate;
+  estimate.tissue = changed(known.draws, figure, known.own, estimate.value);
+  estimate.execution = changed(known.region, figure, known.own, estimate.value);
+  return estimate;
+}
+
+Estimate leak(const Known& known) {
+  const ValveMeasure& measure = known.measure;
+  Estimate leak{measure.leak.area_mm2,
+                area_interval(measure.leak.area_mm2, measure.leak_error_mm2)};
+  if (known.finer != nullptr)
+    leak.numerical =
+        area_interval(known.finer->leak_mm2,
+                      area_error_mm2(known.finer->leak_mm2, {.triangles = known.finer_triangles}));
+  return with_spread(leak, known, &PlanClosure::leak_mm2);
+}
+
+Estimate closed(const Known& known, Figure of, double PlanClosure::*figure) {
+  Estimate estimate{known.own.*figure};
+  if (known.finer != nullptr)
+    estimate.numerical = figure_interval(of, known.finer->*figure, known.finer_triangles);
+  else if (trusted(known.own))
+    estimate.numerical = figure_interval(of, estimate.value, known.triangles);
+  return with_spread(estimate, known, figure);
+}
+
+Estimate opened(const Known& known, Figure of, double OpeningMeasure::*figure) {
+  if (!known.opening || !trusted(*known.opening)) return {};
+  const double value = known.opening->measure.*figure;
+  return {value, figure_interval(of, value, known.triangles)};
+}
+
+PlanEstimates estimates_of(const Known& known) {
+  return {.leak_mm2 = leak(known),
+          .coaptation_mm = closed(known, Figure::Coaptation, &PlanClosure::coaptation_mm),
+          .tension_max_n = closed(known, Figure::Tension, &PlanClosure::tension_max_n),
+          .opening_mm2 = opened(known, Figure::Opening, &OpeningMeasure::opening_area_mm2),
+          .gradient_mmhg = opened(known, Figure::Gradient, &OpeningMeasure::gradient_mmhg)};
+}
+
+}  // namespace
+
+PlanEstimates plan_estimates(const PlanEvaluations& evaluations, const PlanRecord& plan,
+                             const ValveMeasure& measure, int nodes, const FineClosures& fine,
+                             const ModelClosures& model) {
+  Known known{.measure = measure,
+              .own = plan.closures.at(0),
+              .triangles = triangles_of(evaluations),
+              .finer_triangles = fine.mesh.triangles,
+              .opening = plan.opening};
+  if (const auto finer = fine.plans.find(&plan);
+      finer != fine.plans.end() && trusted(finer->second))
+    known.finer = &finer->second;
+  if (const auto drawn = model.plans.find(&plan); drawn != model.plans.end() && !model.contradicts)
+    known.draws = addresses(drawn->second);
+  for (int node = 0; node < nodes; ++node) known.region.push_back(&plan.closures.at(node));
+  PlanEstimates estimates = estimates_of(known);
+  if (const std::optional<Durability> lasts = durability(plan))
+    estimates.durability_mm = {lasts->expected_mm, durability_interval(plan, known.triangles)};
+  return estimates;
+}
+
+PlanEstimates estimates_before(const PlanEvaluations& evaluations, const ValveMeasure& measure,
+                               const std::optional<PlanOpening>& opening, const FineMesh& fine,
+                               const ModelClosures& model) {
+  Known known{.measure = measure,
+              .own = plan_closure(evaluations.before()),
+              .triangles = triangles_of(evaluations),
+              .finer_triangles = fine.triangles,
+              .opening = opening};
+  if (fine.before && trusted(*fine.before)) known.finer = &*fine.before;
+  if (!model.contradicts) known.draws = addresses(model.before);
+  return estimates_of(known);
+}
+
+}  // namespace coapt
