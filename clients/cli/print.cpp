@@ -19,16 +19,11 @@ namespace {
 
 constexpr double kSmallestListed_mm2 = 0.5;  // as in pictures
 
-const char* error_words(ErrorCause cause) {
-  switch (cause) {
-    case ErrorCause::Numerical:
-      return "the computation's error";
-    case ErrorCause::Tissue:
-      return "what is not known of the tissue";
-    case ErrorCause::Execution:
-      return "errors of the hand";
-  }
-  return "";
+/// None where it is null, or of results of earlier releases.
+std::optional<Interval> interval_of(const Json& estimate, const char* cause) {
+  const auto found = estimate.find(cause);
+  if (found == estimate.end() || found->is_null()) return std::nullopt;
+  return Interval{number_of((*found)[0]), number_of((*found)[1])};
 }
 
 std::ostream& row(std::ostream& out, const char* label) {
@@ -68,7 +63,7 @@ void print_leaflets(std::ostream& out, const Json& measure) {
                         << rounded(leaflet["closed_area_mm2"], 0) << " mm2, median stretch "
                         << rounded(leaflet["stretch_median"], 2) << ", in contact with another "
                         << fixed(100.0 * number_of(leaflet["contact_share"]), 1) << " %\n";
-  row(out, "chordae") << "peak tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
+  row(out, "chordae") << "highest tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
                       << rounded(measure["tension_sum_n"], 1) << " N\n";
 }
 
@@ -102,9 +97,9 @@ void print_measure(std::ostream& out, const Json& measure) {
                       << rounded(annulus["area_mm2"], 0) << " mm2\n";
   row(out, "tenting") << "height " << rounded(measure["tenting_height_mm"], 1) << " mm, area "
                       << rounded(measure["tenting_area_mm2"], 0) << " mm2\n";
-  row(out, "chordae") << "peak tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
+  row(out, "chordae") << "highest tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
                       << rounded(measure["tension_sum_n"], 1) << " N\n";
-  row(out, "leaflet strain") << "circumferential "
+  row(out, "leaflet strain") << "99th percentiles: circumferential "
                              << fixed(100.0 * number_of(measure["strain_circumferential_max"]), 1)
                              << " %, radial "
                              << fixed(100.0 * number_of(measure["strain_radial_max"]), 1) << " %\n";
@@ -156,22 +151,17 @@ void print_convergence(std::ostream& out, const Json& convergence) {
 
 }  // namespace
 
+Estimate estimate_of(const Json& json, double value) {
+  return {value, interval_of(json, "numerical"), interval_of(json, "tissue"),
+          interval_of(json, "execution")};
+}
+
 std::string leak_and_error(const Json& leak) {
-  const double area_mm2 = number_of(leak["area_mm2"]);
-  const auto part = [&](const char* cause) -> std::optional<Interval> {
-    const auto found = leak.find(cause);  // results of earlier releases have none
-    if (found == leak.end() || found->is_null()) return std::nullopt;
-    return Interval{number_of((*found)[0]), number_of((*found)[1])};
-  };
-  const Estimate estimate{area_mm2, part("numerical"), part("tissue"), part("execution")};
-  const std::optional<ErrorCause> cause = widest(estimate);
-  if (!cause) return with_error(area_mm2, number_of(leak.value("error_mm2", Json())), "mm2");
-  const Interval wide = *part(to_string(*cause));
-  const double half_mm2 = 0.5 * (wide.high - wide.low);
-  if (*cause == ErrorCause::Numerical && wide.low <= area_mm2 && area_mm2 <= wide.high)
-    return with_error(area_mm2, wide.high - area_mm2, "mm2");
-  return known_digits(area_mm2, half_mm2) + " mm2; " + known_digits(wide.low, half_mm2) + " to " +
-         known_digits(wide.high, half_mm2) + " mm2 by " + error_words(*cause) + " (5 to 95 %)";
+  Estimate estimate = estimate_of(leak, number_of(leak["area_mm2"]));
+  if (!leak.contains("numerical"))  // of earlier releases
+    estimate.numerical = area_interval(estimate.value, number_of(leak.value("error_mm2", Json())));
+  const auto [value, interval, cause] = words_of(estimate);
+  return value + " mm2" + (interval.empty() ? "" : "; " + interval + " mm2 " + cause);
 }
 
 std::string draws_words(const Json& draws) {

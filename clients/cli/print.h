@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "core/metrics/estimate.h"
 #include "io/json/json_fwd.h"
 
 namespace coapt {
@@ -14,6 +15,9 @@ void print_closure(std::ostream& out, const Json& closure);
 
 /// "45.7 ± 2.1 mm2", or the widest known part of its error: "46 mm2; 16 to 78 mm2 by what is not known of the tissue (5 to 95 %)".
 std::string leak_and_error(const Json& leak);
+
+/// Of "numerical", "tissue" and "execution", of which results of earlier releases have none.
+Estimate estimate_of(const Json& json, double value);
 
 /// Of "draws", "untrusted", "observed", "effective" and "contradicts_model": "64 draws of tissue and chordae, weighed by what was observed:
 /// as many as 23 that weigh alike".

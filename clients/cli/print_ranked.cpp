@@ -44,6 +44,14 @@ double number_in(const Json& plan, const char* key) {
   return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
 }
 
+/// In so many of its units, to the digits that are known.
+std::string known_estimate(const Json& plan, const char* name, double units = 1.0) {
+  const double value = number_in(plan, name);
+  if (!std::isfinite(value)) return "-";
+  const Json estimate = plan.value("estimates", Json::object()).value(name, Json::object());
+  return known_tenths(units * value, units * half_width(estimate_of(estimate, value)));
+}
+
 /// What a cardiologist would call what is left: by mean + sd over the region, or as planned where that was not closed.
 std::string leak_words(const Json& plan) {
   const Json& leak = plan["leak_mm2"];
@@ -72,14 +80,14 @@ void print_header(std::ostream& out) {
 void print_row(std::ostream& out, const Json& plan) {
   const double likely = is_varied(plan) ? number_in(plan, "acceptable_probability")
                                         : std::numeric_limits<double>::quiet_NaN();
-  const double area = number_in(plan, "opening_area_mm2");
   out << std::setw(4) << plan["rank"].get<int>() << "  " << std::left << std::setw(14)
       << leak_words(plan) << std::right << std::setw(8)
       << (std::isfinite(likely) ? percent(likely) : "-") << std::setw(8)
-      << known(number_in(plan, "durability_mm")) << std::setw(8) << known(0.01 * area)
-      << std::setw(10) << known(number_in(plan, "gradient_mmhg")) << std::setw(7)
-      << plan["plan"]["steps"].size() << std::setw(10) << muscles_sutured(plan) << std::setw(8)
-      << known(plan["ring_sizes_below"]) << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
+      << known_estimate(plan, "durability_mm") << std::setw(8)
+      << known_estimate(plan, "opening_area_mm2", 0.01) << std::setw(10)
+      << known_estimate(plan, "gradient_mmhg") << std::setw(7) << plan["plan"]["steps"].size()
+      << std::setw(10) << muscles_sutured(plan) << std::setw(8) << known(plan["ring_sizes_below"])
+      << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
 }
 
 void print_beaten(std::ostream& out, const Json& plan) {
@@ -119,19 +127,14 @@ void print_fine(std::ostream& out, const Json& plan) {
 void print_model_draws(std::ostream& out, const Json& result) {
   const auto model = result.find("model_draws");
   if (model == result.end() || (*model)["before"].is_null()) return;
-  const Json& leak = (*model)["before"]["leak_mm2"];
-  const Json tissue = result["before"]["leak"].value("tissue", Json());
-  const std::string unrepaired =
-      tissue.is_null() ? known(leak["mean"]) + " ± " + known(leak["sd"])
-                       : known(tissue[0]) + " to " + known(tissue[1]) + " (5 to 95 %)";
   print_words(
       out, "Model: ",
       counted((*model)["draws"].get<long>(), "draw") +
           (model->value("fit_drawn", false)       ? " of tissue and of what the fit left uncertain"
            : model->value("chordae_drawn", false) ? " of tissue and of chordae that were not seen"
                                                   : " of tissue and chordae") +
-          ", the same for all plans; unrepaired leak " + unrepaired + " mm2" +
-          (result["plans"].empty() ? "" : ". How likely a plan leaks mildly counts them"));
+          ", the same for all plans" +
+          (result["plans"].empty() ? "" : "; how likely a plan leaks mildly counts them"));
   if (model->value("observed", Json::array()).empty()) return;
   const bool contradicts = (*model)["contradicts_model"].get<bool>();
   const char* const who =

@@ -80,9 +80,8 @@ std::string write_measurements_csv(const ClosedValve& exported) {
             "in the mid-valve section, from the annular line to the coaptation point; SlicerHeart: "
             "the furthest point of the leaflets from a surface through the annulus");
   add_coaptation(measure.coaptation, table);
-  table.add(
-      "Regurgitant orifice area", measure.leak.area_mm2, "mm*mm",
-      "anatomic, as the atrial view shows it, leaflets with their half thickness; not an EROA");
+  table.add("Regurgitant orifice area", measure.leak.area_mm2, "mm*mm",
+            "anatomic, the least area through which blood can flow back; not an EROA");
   return std::move(table).take();
 }
 

@@ -139,34 +139,42 @@ std::string undersizing(const RankedPlan& plan) {
   return ring ? fixed(plan.effort.sizes_below, 1) + " sizes" : "no ring";
 }
 
+/// In so many of its units, to the digits that are known.
+std::string known_figure(const Estimate& estimate, double units = 1.0) {
+  return known_tenths(units * estimate.value, units * half_width(estimate));
+}
+
 std::string opening_figure(const RankedPlan& plan) {
   if (!plan.opening) return "";
   if (!trusted(*plan.opening))
     return key_figure("Opening in diastole", "not known",
                       plan.opening->behind_clip ? "behind a clip" : "it did not come to rest");
-  return key_figure("Opening in diastole",
-                    with_unit(0.01 * plan.opening->measure.opening_area_mm2, 1, "cm²"),
-                    "mean gradient " + with_unit(plan.opening->measure.gradient_mmhg, 1, "mmHg") +
-                        " at rest; below 2.0 cm² is narrow");
+  return key_figure("Opening in diastole", known_figure(plan.estimates.opening_mm2, 0.01) + " cm²",
+                    "mean gradient " + known_figure(plan.estimates.gradient_mmhg) +
+                        " mmHg at rest; below 2.0 cm² is narrow");
 }
 
 std::string durability_figure(const RankedPlan& plan) {
   if (!plan.durability) return "";
   return key_figure("Further disease that it bears",
-                    with_unit(plan.durability->expected_mm, 1, "mm"),
+                    known_figure(plan.estimates.durability_mm) + " mm",
                     "of the muscle, until it leaks " + shown(kMildLeak_mm2) + " mm²; " +
                         percent(plan.durability->outlasting) + " of courses outlast " +
                         shown(kFurthestCourse_mm) + " mm");
 }
 
-/// "; model ± 1.2 (sd over 8 draws)", empty if that is not known.
-std::string model_error(const RankedPlan& plan) {
-  if (!plan.model || !std::isfinite(plan.model->sd_mm2)) return "";
-  return "; model ± " + fixed(plan.model->sd_mm2, 1) + " (sd over " +
-         counted(plan.model->draws - plan.model->failures, "draw") + ")";
+std::string leak_figure(const Estimate& before, const Estimate& after) {
+  const EstimateWords was = words_of(before), is = words_of(after);
+  const auto figure = [](const EstimateWords& words) {
+    return words.value + (words.interval.empty() ? "" : " (" + words.interval + ")");
+  };
+  return key_figure("Leak as planned", figure(is) + " mm²",
+                    is.cause + (is.cause.empty() ? "" : "; ") + "before " + figure(was) +
+                        (was.cause.empty() || was.cause == is.cause ? "" : ", " + was.cause));
 }
 
-std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
+std::string figures(const SearchResult& result, const RankedPlan& plan) {
+  const ValveMeasure& before = result.before.measure;
   const LeakStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& margin = plan.region.margin_to_leak;
   const ValveMeasure& after = plan.measure;
@@ -174,20 +182,17 @@ std::string figures(const ValveMeasure& before, const RankedPlan& plan) {
       varied(plan) ? "of " + grouped(plan.region.closures) + " variations" : "was not varied";
   const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
-  return "<dl>\n" +
-         key_figure("Leak as planned", with_error(after.leak.area_mm2, after.leak_error_mm2, "mm²"),
-                    "before " + with_error(before.leak.area_mm2, before.leak_error_mm2) +
-                        " (numerical errors)" + model_error(plan)) +
+  return "<dl>\n" + leak_figure(result.before_estimates.leak_mm2, plan.estimates.leak_mm2) +
          key_figure("Leak when the repair varies",
                     varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
                     "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
-         key_figure("Good repair, below " + shown(kMildLeak_mm2) + " mm²", percent(leak.below_5),
-                    of_variations) +
+         key_figure("Variations that leak less than " + shown(kMildLeak_mm2) + " mm²",
+                    percent(leak.below_5), of_variations) +
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
                         " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),
                     "smallest error that leaks " + shown(kTraceLeak_mm2) + " mm²") +
-         key_figure("Coaptation height", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
+         key_figure("Coaptation height, mean", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
                     "minimum " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
                         fixed(before.coaptation.height_mean_mm, 1) + ", minimum " +
                         fixed(before.coaptation.height_min_mm, 1)) +
@@ -298,7 +303,7 @@ std::string first_page(const PlanReport& report) {
   return "<section class=\"first\">\n" + diagnosis(report) + verdict(report, plan) +
          operation(report, plan) + pictures(report, front) +
          "<div class=\"key\"><h3>Key figures and their uncertainty</h3>\n" +
-         figures(report.result.before.measure, plan) + how_sure(plan) + "</div>\n" + care(plan) +
+         figures(report.result, plan) + how_sure(plan) + "</div>\n" + care(plan) +
          others(report, front) + "</section>\n";
 }
 

@@ -22,7 +22,7 @@ const std::vector<std::string>& how_far() {
       "regurgitant orifice area (EROA), and does not grade regurgitation.",
       "The spread covers errors of suture length (1 mm) and papillary position (5 degrees) only. "
       "Errors of imaging, ring placement and pressure are not included. What is not known of "
-      "tissue and chordae is stated apart (model ±), for the plan as planned.",
+      "tissue and chordae is stated apart, as an interval of the leak as planned.",
       "Nothing here has been validated on patients."};
   return kSentences;
 }

@@ -28,6 +28,14 @@ std::string failed_draws(const RankedPlan& plan) {
   return failures == 0 ? "" : " (" + std::to_string(failures) + " failed and are left out)";
 }
 
+/// "0.1 to 3.5 mm² (5 to 95 %)".
+std::string tissue_words(const Estimate& leak) {
+  if (!leak.tissue) return "not known";
+  const double half = 0.5 * (leak.tissue->high - leak.tissue->low);
+  return known_digits(leak.tissue->low, half) + " to " + known_digits(leak.tissue->high, half) +
+         " mm² (5 to 95 %)";
+}
+
 std::vector<std::string> remarks_on(const RankedPlan& plan) {
   std::vector<std::string> remarks = plan.warnings;
   if (plan.status != ClosureStatus::Converged)
@@ -41,9 +49,9 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
              ? ""
              : "; by its own mesh it would rank " + std::to_string(plan.own_mesh_rank)));
   if (plan.model)
-    remarks.push_back("under " + counted(plan.model->draws, "draw") + " of the model: leak " +
-                      fixed(plan.model->mean_mm2, 1) + " ± " + fixed(plan.model->sd_mm2, 1) +
-                      " mm², worst " + fixed(plan.model->worst_mm2, 1) + failed_draws(plan));
+    remarks.push_back("under " + counted(plan.model->draws, "draw") +
+                      " of tissue and chordae: leak " + tissue_words(plan.estimates.leak_mm2) +
+                      failed_draws(plan));
   return remarks;
 }
 
@@ -180,22 +188,22 @@ std::string ranked_section(const PlanReport& report) {
       "of<br>the next</th></tr></thead><tbody>\n";
   for (const RankedPlan& plan : result.plans) html += rows_of(plan);
   return html +
-         "</tbody></table></div>\n<p class=\"small\">Orifice: as planned, seen from the atrium. "
-         "Gap: opening between the leaflets in three dimensions, which that view can hide. Leak: "
-         "the larger of the two, over small deviations of suture length and papillary position "
-         "around the plan; below 5 mm²: the share of deviations with a good repair. Margin: the "
-         "smallest deviation that leaks more than 1 mm²; 0 if the plan itself leaks more; length: "
-         "of a suture, or without one of the distance from tip to trigone. "
-         "Coaptation: mean height over nine sections. Tension: highest in any chorda. Cost: what "
-         "the search minimises, in mm². Ahead of the next: the probability that its true cost is "
-         "lower than the next plan's; from 5 to 95 % the two tie, and also if the plan is ahead in "
-         "no more "
-         "than 95 % of the draws of the model (tissue and chordae). Robust: every closure "
-         "converged "
-         "and mean + sd of the "
-         "leak is below 1 mm². Pareto: Pareto-optimal among the ranked plans in leak (mean + sd), "
-         "opening and durability. The leak is anatomic, not an effective regurgitant "
-         "orifice area.</p>\n" +
+         "</tbody></table></div>\n<p class=\"small\">Leak: the least area through which blood can "
+         "flow "
+         "back, as planned ± numerical error; then over small deviations of suture length and "
+         "papillary position around the plan, where it is estimated; below 5 mm²: the share of "
+         "these "
+         "deviations that leak less. Margin: the smallest deviation that leaks more than 1 mm²; 0 "
+         "if "
+         "the plan itself leaks more; length: of a suture, or without one of the distance from tip "
+         "to trigone. Coaptation: mean height over nine sections. Tension: highest in any chorda. "
+         "Cost: what the search minimises, in mm². Ahead of the next: the probability that it is "
+         "rightly before the next plan; plans of one class cannot be told apart. Acceptable: leaks "
+         "less than 5 mm² with a probability of at least 95 %, over errors of the hand, tissue and "
+         "mesh, and no rule of practice is against it. Pareto: Pareto-optimal among the ranked "
+         "plans "
+         "in leak (mean + sd), opening and durability. The leak is anatomic, not an effective "
+         "regurgitant orifice area.</p>\n" +
          trade_offs(result) + "</section>\n";
 }
 

@@ -22,6 +22,18 @@ int decimals_of(double error) {
   return std::clamp((two_digits ? 1 : 0) - exponent - (next_decade ? 1 : 0), 0, kMostDecimals);
 }
 
+const char* error_words(ErrorCause cause) {
+  switch (cause) {
+    case ErrorCause::Numerical:
+      return "the computation's error";
+    case ErrorCause::Tissue:
+      return "what is not known of the tissue";
+    case ErrorCause::Execution:
+      return "errors of the hand";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string fixed(double value, int decimals) {
@@ -40,6 +52,23 @@ std::string with_error(double value, double error, std::string_view unit) {
 
 std::string known_digits(double value, double error) {
   return fixed(value, is_error(error) ? decimals_of(error) : 1);
+}
+
+std::string known_tenths(double value, double error) {
+  constexpr double kTenths = 0.4;  // the least error that leaves no more digits
+  return known_digits(value, std::fmax(kTenths, error));
+}
+
+EstimateWords words_of(const Estimate& estimate) {
+  const std::optional<ErrorCause> cause = widest(estimate);
+  if (!cause) return {fixed(estimate.value, 1), "", ""};
+  const Interval wide = *part_of(estimate, *cause);
+  const double half = half_width(estimate);
+  if (*cause == ErrorCause::Numerical && wide.low <= estimate.value && estimate.value <= wide.high)
+    return {with_error(estimate.value, wide.high - estimate.value), "", "± numerical error"};
+  return {known_digits(estimate.value, half),
+          known_digits(wide.low, half) + " to " + known_digits(wide.high, half),
+          "by " + std::string(error_words(*cause)) + " (5 to 95 %)"};
 }
 
 std::string grouped(std::int64_t count) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/metrics/estimate.h"
 #include "core/valve/printable.h"
 
 namespace coapt {
@@ -19,6 +20,16 @@ std::string with_error(double value, double error, std::string_view unit = "");
 
 /// The value alone, to those places: "45.7", "46".
 std::string known_digits(double value, double error);
+
+/// To a tenth, or to fewer digits where the error leaves no more; without one to a tenth.
+std::string known_tenths(double value, double error);
+
+/// What is said of an estimate by the widest part of its error that is known: "46", "16 to 78" and "by what is not known of the tissue
+/// (5 to 95 %)"; of the computation's error "45.7 ± 2.1", no interval and "± numerical error".
+struct EstimateWords {
+  std::string value, interval, cause;
+};
+EstimateWords words_of(const Estimate& estimate);
 
 /// "45,678,901".
 std::string grouped(std::int64_t count);

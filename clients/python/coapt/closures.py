@@ -67,7 +67,9 @@ class Measure:
     tension_sum_n: float | None
     """Of the chordae at their papillary heads."""
     strain_circumferential_max: float | None
+    """99th percentile over the leaflets' triangles."""
     strain_radial_max: float | None
+    """99th percentile over the leaflets' triangles."""
     _document: Callable[[], Document] = field(repr=False, compare=False)
 
     @classmethod

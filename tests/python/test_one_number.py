@@ -1,0 +1,199 @@
+"""One quantity has one word and one value: what command line, JSON, CSV, Python and report say of a valve and a plan."""
+
+import csv
+import html
+import json
+import re
+import unittest
+
+from client_runs import EngineTest, has_engine
+from programs import NO_COMPETENT_PLAN, OK, coapt, small_valve
+
+RING = {
+    "schema": "coapt.plan/1",
+    "steps": [{"step": "annuloplasty", "shape": "generic-etlogix-like", "size_mm": 30}],
+}
+SIZE = {"region_points": 9, "model_draws": 8}
+NUMBER = r"-?\d+(?:\.\d+)?"
+
+
+def flags(options):
+    return [part for name, value in options.items() for part in (f"--{name.replace('_', '-')}", value)]
+
+
+@unittest.skipUnless(has_engine(), "no engine")
+class OneNumber(EngineTest):
+    def setUp(self):
+        super().setUp()
+        self.valve = small_valve()
+        self.plan = self.write("ring.json", RING)
+        scoring = ("evaluate", self.valve, self.plan, "--no-evidence", *flags(SIZE))
+        page = self.folder / "report.html"
+        self.scored = json.loads(self.answer(*scoring, "--json", "-o", page))
+        self.words = " ".join(self.answer(*scoring).split())
+        self.report = self.text_of(page.read_text())
+        self.closed = json.loads(self.answer("close", self.valve, "--plan", self.plan, "--open", "--json"))
+        self.closed_words = self.answer("close", self.valve, "--plan", self.plan, "--open")
+        self.python = self.client.evaluate(self.valve, [self.plan], **SIZE)
+        self.python_closed = self.client.close(self.valve, self.plan)
+        self.answer("export", self.valve, "--plan", self.plan, "-o", self.folder / "measures.csv")
+        with open(self.folder / "measures.csv", encoding="utf-8") as file:
+            self.csv = {row["Metric"]: row["Value"] for row in csv.DictReader(file)}
+
+    def answer(self, *arguments):
+        result = coapt(*arguments)
+        self.assertIn(result.returncode, (OK, NO_COMPETENT_PLAN), result.stderr)
+        return result.stdout
+
+    def text_of(self, page):
+        """Without tags and pictures, spaces single."""
+        return " ".join(html.unescape(re.sub(r"<(style|svg)\b.*?</\1>|<[^>]*>", " ", page, flags=re.S)).split())
+
+    def assert_value(self, value, *others):
+        """The same bits."""
+        for other in others:
+            self.assertEqual(other, value)
+
+    def assert_printed(self, value, *texts, before, after=""):
+        """In each text what stands between `before` and `after` is the value to the digits that are printed."""
+        for text in texts:
+            found = re.search(f"{before} *({NUMBER}){after}", text)
+            self.assertIsNotNone(found, f"{before!r} in {text[:2000]}")
+            decimals = len(found[1].partition(".")[2])
+            self.assertEqual(found[1], f"{value + 0.0:.{decimals}f}", before)
+
+    def ranked(self):
+        return self.scored["plans"][0]
+
+    def test_leak(self):
+        plan, python = self.ranked(), self.python.plans[0]
+        leak = plan["leak"]["area_mm2"]
+        self.assert_value(
+            leak,
+            plan["measure"]["leak_mm2"],
+            plan["leak_mm2"]["nominal"],
+            self.closed["leak_mm2"],
+            self.closed["leak"]["area_mm2"],
+            python.measure.leak_mm2,
+            python.leak_mm2.nominal,
+            self.python_closed.measure.leak_mm2,
+        )
+        self.assertEqual(plan["leak"], python.json["leak"])
+        self.assert_printed(leak, self.words, before="leak as planned:")
+        self.assert_printed(leak, self.closed_words, before=r"\n  leak")
+        self.assert_printed(leak, self.report, before="Leak as planned")
+        self.assert_printed(float(leak), self.csv["Regurgitant orifice area"], before="")
+        # Digits and interval of either text are of the widest error.
+        said = re.search(rf"leak as planned: ({NUMBER}.*?) mm2", self.words)[1]
+        self.assertIn(f"Leak as planned {said}", self.report.replace(" mm²", "").replace(" (", "; "))
+
+    def test_leak_of_the_valve_as_it_is(self):
+        before = self.scored["before"]
+        as_it_is = json.loads(self.answer("close", self.valve, "--json"))
+        leak = before["leak"]["area_mm2"]
+        self.assert_value(
+            leak, before["leak_mm2"], as_it_is["leak_mm2"], self.client.close(self.valve).measure.leak_mm2
+        )
+        self.assert_printed(leak, self.words, before="Before: leak")
+        low, high = before["leak"]["tissue"]
+        for text, words in (
+            (self.words, rf"; ({NUMBER}) to ({NUMBER}) mm2 by what is not known of the tissue"),
+            (self.report, rf"before {NUMBER} \(({NUMBER}) to ({NUMBER})\)"),
+        ):
+            found = re.search(words, text)
+            self.assertIsNotNone(found, words)
+            self.assertEqual((found[1], found[2]), (f"{low:.0f}", f"{high:.0f}"))
+
+    def test_opening_and_gradient(self):
+        plan, python = self.ranked(), self.python.plans[0]
+        opened = json.loads(self.answer("open", self.valve, "--plan", self.plan, "--json"))
+        for name, words, unit in (
+            ("opening_area_mm2", "Opening in diastole", 0.01),
+            ("gradient_mmhg", "mean gradient", 1),
+        ):
+            value = plan[name]
+            self.assert_value(
+                value,
+                plan["estimates"][name]["value"],
+                self.closed["opening"][name],
+                opened[name],
+                getattr(python, name),
+                getattr(self.client.open(self.valve, self.plan), name),
+            )
+            self.assert_printed(unit * value, self.report, before=words)
+        self.assert_printed(0.01 * plan["opening_area_mm2"], self.closed_words, before="opening")
+        self.assert_printed(plan["gradient_mmhg"], self.closed_words, before="mean gradient")
+        area, gradient = self.columns()[4:6]
+        self.assert_printed(0.01 * plan["opening_area_mm2"], area, before="")
+        self.assert_printed(plan["gradient_mmhg"], gradient, before="")
+
+    def columns(self):
+        """Of the first plan's row: rank, leak left (words), probability, bears, opens, gradient."""
+        row = re.search(r"\b1 (none or trace|mild|[\d.]+ mm2) +([\d.]+) % +(\S+) +(\S+) +(\S+) ", self.words)
+        self.assertIsNotNone(row, self.words)
+        return ("1", *row.groups())
+
+    def test_coaptation(self):
+        plan, python = self.ranked(), self.python.plans[0]
+        for name, words in (("mean", "mean"), ("min", "minimum")):
+            height = plan["measure"]["coaptation"][f"height_{name}_mm"]
+            self.assert_value(
+                height,
+                self.closed["coaptation"][f"height_{name}_mm"],
+                getattr(python.measure, f"coaptation_height_{name}_mm"),
+                getattr(self.python_closed.measure, f"coaptation_height_{name}_mm"),
+            )
+            self.assert_printed(height, self.report, before=words)
+            self.assert_printed(height, self.csv[f"Coaptation anterior - posterior height ({name})"], before="")
+            self.assert_printed(height, self.closed_words, before=f"(?:height|,) {name}")
+        of_rule = plan["estimates"]["coaptation_a2_p2_mm"]["value"]
+        finding = next(gate["finding"] for gate in plan["gates"] if gate["rule"] == "coaptation_height")
+        self.assert_printed(of_rule, finding, self.words, self.report, before="coaptation of A2 with P2 is")
+        sections = plan["measure"]["coaptation"]["sections"]
+        self.assertAlmostEqual(of_rule, sum(section["height_mm"] for section in sections[3:6]) / 3, places=9)
+
+    def test_tension(self):
+        plan, python = self.ranked(), self.python.plans[0]
+        tension = plan["measure"]["tension_max_n"]
+        self.assert_value(
+            tension,
+            plan["estimates"]["tension_max_n"]["value"],
+            self.closed["tension_max_n"],
+            python.measure.tension_max_n,
+            self.python_closed.measure.tension_max_n,
+        )
+        self.assert_printed(tension, self.report, before="Highest chordal tension")
+        self.assert_printed(tension, self.closed_words, before="highest tension")
+        finding = next(gate["finding"] for gate in plan["gates"] if gate["rule"] == "chordal_tension")
+        self.assert_printed(tension, finding, before=f"highest chordal tension goes from {NUMBER} to")
+
+    def test_probability(self):
+        plan, python = self.ranked(), self.python.plans[0]
+        likely = plan["acceptable_probability"]
+        self.assert_value(likely, python.acceptable_probability)
+        self.assert_value(self.scored["verdict"], self.python.json["verdict"])
+        printed = {
+            self.columns()[2],
+            *re.findall(rf"less than 5 mm² with a probability of ({NUMBER}) %", self.words + self.report),
+        }
+        self.assertEqual(len(printed), 1, printed)
+        self.assert_printed(100 * likely, printed.pop(), before="")
+
+    def test_every_figure_of_a_rule_has_an_interval(self):
+        for estimates in (self.ranked()["estimates"], self.scored["before"]["estimates"]):
+            for name in ("coaptation_a2_p2_mm", "tension_max_n", "opening_area_mm2", "gradient_mmhg"):
+                low, high = estimates[name]["numerical"]
+                self.assertLessEqual(0, low)
+                self.assertLess(low, high)
+        for name in ("coaptation_a2_p2_mm", "tension_max_n"):
+            for part in ("tissue", "execution"):
+                low, high = self.ranked()["estimates"][name][part]
+                self.assertLessEqual(low, high)
+        self.assertIsNone(self.ranked()["estimates"]["durability_mm"]["value"])
+
+    def test_what_is_a_percentile_says_so(self):
+        self.assertRegex(self.closed_words, r"leaflet strain +99th percentiles: circumferential")
+
+
+if __name__ == "__main__":
+    unittest.main()
