@@ -18,7 +18,7 @@ struct ServiceLimits {
   int kept_plans = 1000;  ///< in all; over it 409
   int queue = 100;        ///< jobs that wait to be run; over it 429
   int evaluation_closures =
-      500;  ///< of POST /v1/evaluations: plans times region points and evidence, of 650 triangles; fewer of larger valves
+      500;  ///< of POST /v1/evaluations: plans times region points, evidence and draws, of 650 triangles; fewer of larger valves
   int wait_seconds = 60;    ///< of Prefer: wait
   int threads = 0;          ///< of a running job; 0: all cores. Does not change any answer
   int request_threads = 1;  ///< of an evaluation that a client waits for; likewise

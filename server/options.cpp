@@ -53,8 +53,8 @@ void add_service_limits(Command app, ServiceLimits& service) {
             "go together, the one used least recently first");
   add_limit(app, "--queue", service.queue, 1, 100'000, "Jobs that wait, at most");
   add_limit(app, "--evaluation-closures", service.evaluation_closures, 1, 1'000'000,
-            "Closures of one POST /v1/evaluations at most (plans times region points, and "
-            "evidence) for a valve of 650 triangles");
+            "Closures of one POST /v1/evaluations at most (plans times region points, evidence "
+            "and draws) for a valve of 650 triangles");
   add_limit(app, "--wait-seconds", service.wait_seconds, 0, 3600,
             "Longest wait that a client may ask for (Prefer: wait)");
   add_limit(app, "--running-jobs", service.running_jobs, 1, 64, "Jobs that run at once, at most");

@@ -116,6 +116,11 @@ std::map<std::string, std::string> sources_of(const std::string& valve,
   return sources;
 }
 
+/// As many as were asked for; where something was observed of the valve and none were, as many as it takes to be weighed by it.
+int draws_of(const EvaluateArguments& arguments, bool observed) {
+  return !arguments.draws_given && observed ? kConditionedDraws : arguments.options.model_draws;
+}
+
 int run_by(const Service& service, const EvaluateArguments& arguments) {
   if (const int failed = check_output(arguments.report)) return failed;
   const Expected<Json> valve = valve_to_send(arguments.valve);
@@ -127,7 +132,8 @@ int run_by(const Service& service, const EvaluateArguments& arguments) {
   Json request = {{"valve", *valve},
                   {"plans", Json::array()},
                   {"region_points", arguments.options.region_points},
-                  {"evidence", !arguments.no_evidence}};
+                  {"evidence", !arguments.no_evidence},
+                  {"model_draws", draws_of(arguments, valve->contains("observed"))}};
   for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
   const Expected<Json> answer = post_json(service, "/v1/evaluations", request);
   if (!answer)
@@ -158,8 +164,7 @@ int run(EvaluateArguments arguments) {
   if (const int failed = check_output(arguments.report)) return failed;
   arguments.options.evidence = !arguments.no_evidence;
   arguments.options.fine_levels = 0;  // as the service scores
-  if (!arguments.draws_given && !valve->observed.empty())
-    arguments.options.model_draws = kConditionedDraws;
+  arguments.options.model_draws = draws_of(arguments, !valve->observed.empty());
   SearchContext context{.cancelled = &interrupted};
   const auto store = use_store(arguments.store, *valve, arguments.options.closure, context);
   if (!store) return report_store_errors("evaluate", store.errors());
@@ -207,15 +212,14 @@ void add_evaluate(Command parent, int& status) {
       "A valve of which something was observed (coapt observe) is closed under 64 draws unless "
       "--model-draws says\notherwise.\n"
       "A service makes 500 closures at most, unless it was started with another limit: plans times "
-      "--region-points, and the evidence.\n\n"
+      "--region-points, the evidence, and the draws.\n\n"
       "Examples:\n"
       "  coapt evaluate human-functional-mr examples/plans/ring.json examples/plans/mixed.json -o "
       "report.html\n"
       "  coapt plan valve.json --json > ranked.json; coapt evaluate valve.json ranked.json\n"
       "  coapt evaluate valve.json ring.json --region-points 65 --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service =
-        service_of(command, arguments->server, {"--store", "--threads", "--model-draws"});
+    const auto service = service_of(command, arguments->server, {"--store", "--threads"});
     arguments->draws_given = command.has("--model-draws");
     if (!service) {
       status = report_errors("evaluate", service.errors());

@@ -6,6 +6,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/import_inputs.h"
+#include "clients/cli/observed_options.h"
 #include "core/valve/printable.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
@@ -32,6 +33,7 @@ struct ValveImportArguments {
   bool closed = false;
   ImagedState state = ImagedState::Open;  // if given
   ImportOptions options;
+  ObservedOptions observed;
   std::string output, picture;
   bool json = false, strict = false;
   std::vector<std::string> given;  ///< options that may turn out to be of no use
@@ -101,12 +103,19 @@ std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments
 }
 
 int run(ValveImportArguments& arguments) {
+  if (!arguments.abaqus.empty() && any_observed(arguments.observed)) {
+    std::cerr << "coapt: valve import: --leak and its like are of a mitral valve: not with "
+                 "--abaqus\n";
+    return exit_code::kBadInput;
+  }
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   if (const int failed = check_output(arguments.picture)) return failed;
   if (const std::string why = misused(arguments); !why.empty()) {
     std::cerr << "coapt: valve import: " << why << '\n';
     return exit_code::kBadInput;
   }
+  if (const Errors errors = check_observed(arguments.observed); !errors.empty())
+    return report_errors("valve import", errors);
   const bool synthesises = arguments.inputs.chordae == kSynthesise;
   ReadInputs read = read_import_inputs(arguments.inputs, synthesises);
   if (read.failed != exit_code::kOk) return read.failed;
@@ -125,6 +134,7 @@ int run(ValveImportArguments& arguments) {
     if (!folder.empty()) return report_errors(folder, valve.errors());
     return report_import_errors(valve.errors(), read.places);
   }
+  take_observed(arguments.observed, valve->valve);
   const auto unused = unused_options(arguments, valve->input.closed);
   valve->decisions.insert(valve->decisions.end(), unused.begin(), unused.end());
   if (const int failed = write_output(arguments.output, write_valve(valve->valve))) return failed;
@@ -296,6 +306,7 @@ void add_valve_import(Command parent, int& status) {
                 "Exit with 3 where a decision should be checked against the images; the valve is "
                 "written all the same")
       .excludes("--abaqus");
+  add_observed_options(command, arguments->observed, "--observed-by");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
   command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
   command

@@ -51,7 +51,7 @@ Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) 
       {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
   for (const char* name :
-       {"diagnosis", "any_competent", "verdict", "ladder", "plans_tried", "closures",
+       {"diagnosis", "any_competent", "verdict", "model_draws", "ladder", "plans_tried", "closures",
         "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
     answer[name] = json[name];
   return answer;
@@ -74,18 +74,22 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   asked.options.model_draws = 0;
   asked.options.seconds = valves.limits.request_seconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
+  const auto draws = [](const JsonPlace& place) { return read_integer_in(place, 0, 200); };
   if (auto refused = read_body(valves, request.body,
                                {{"valve", valve_field(valves, asked.valve)},
                                 {"plans", into(asked.plans, read_plans)},
                                 {"region_points", into(asked.options.region_points, points), false},
-                                {"evidence", into(asked.options.evidence, read_boolean), false}}))
+                                {"evidence", into(asked.options.evidence, read_boolean), false},
+                                {"model_draws", into(asked.options.model_draws, draws), false}}))
     return *std::move(refused);
   ProblemList problems;
   const std::string count = "has " + std::to_string(asked.plans.size()) + " plans";
   if (asked.plans.size() > most_plans)
     problems.add(ErrorCode::OutOfRange, "/plans",
                  count + "; must be at most " + std::to_string(most_plans));
-  std::ptrdiff_t closures = std::ssize(asked.plans) * asked.options.region_points;
+  const int drawn = most_draw_closures(asked.valve, static_cast<int>(asked.plans.size()),
+                                       asked.options.model_draws);
+  std::ptrdiff_t closures = std::ssize(asked.plans) * asked.options.region_points + drawn;
   if (asked.options.evidence)
     for (const RepairPlan& plan : asked.plans) closures += evidence_closures(plan);
   const auto most = static_cast<std::ptrdiff_t>(valves.limits.evaluation_closures /
@@ -93,7 +97,8 @@ std::variant<AskedPlans, Answer> read_asked(const ValveSource& valves, const Req
   if (closures > most)
     problems.add(ErrorCode::OutOfRange, "/plans",
                  count + " of " + std::to_string(asked.options.region_points) + " region_points" +
-                     (asked.options.evidence ? " and evidence" : "") + ", together " +
+                     (asked.options.evidence ? " and evidence" : "") +
+                     (drawn > 0 ? " and model_draws" : "") + ", together " +
                      std::to_string(closures) + " closures; must be at most " +
                      std::to_string(most) + " for a valve of this size");
   if (!problems.empty()) return problem(422, std::move(problems).take());

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from programs import BAD_INPUT, OK, ProgramTest, coapt
+from programs import BAD_INPUT, OK, ProgramTest, coapt, small_valve
 
 
 class Observe(ProgramTest):
@@ -42,6 +42,19 @@ class Observe(ProgramTest):
                 result = coapt("observe", "human-functional-mr", *arguments, "-o", self.folder / "none.json")
                 self.assertEqual(result.returncode, BAD_INPUT)
                 self.assertIn(words, result.stderr)
+
+    def test_may_be_said_with_an_import(self):
+        folder, valve = self.folder / "open", self.folder / "valve.json"
+        self.run_ok("export", small_valve(), "--open", "-o", f"{folder}/")
+        said = ("--leak", "30", "--leak-sd", "8", "--observed-by", "3D planimetry")
+        self.run_ok("valve", "import", "--slicerheart", folder, *said, "-o", valve)
+        with open(valve, encoding="utf-8") as file:
+            self.assertEqual(
+                json.load(file)["observed"], {"leak_mm2": {"value": 30, "sd": 8, "source": "3D planimetry"}}
+            )
+        refused = coapt("valve", "import", "--slicerheart", folder, "--leak", "30", "-o", self.folder / "none.json")
+        self.assertEqual(refused.returncode, BAD_INPUT)
+        self.assertIn("--leak-sd is required with --leak", refused.stderr)
 
     def test_narrows_what_the_tissue_leaves_of_a_leak(self):
         def tissue(valve):

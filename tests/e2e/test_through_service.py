@@ -101,6 +101,12 @@ class SameOutput(ThroughService):
         # Enough nodes for a ladder.
         self.assert_same("evaluate", valve, self.own, self.ring, "--no-evidence", "--region-points", 70)
 
+    def test_evaluations_of_an_observed_valve_are_weighed_alike(self):
+        seen = self.folder / "seen.json"
+        self.run_ok("observe", small_valve(), "--leak", 40, "--leak-sd", 8, "-o", seen)
+        self.assert_same("evaluate", seen, self.ring, "--no-evidence", "--region-points", 2, "--json")
+        self.assert_same("evaluate", seen, self.ring, "--no-evidence", "--region-points", 2, "--model-draws", 0)
+
     def test_searches_are_the_same(self):
         self.assert_same("plan", VALVE, *options(**BARE), "--json")
         self.assert_same("plan", small_valve(), *options(), "--forbid", "annuloplasty:own", "--fix", self.ring)

@@ -279,9 +279,15 @@ class LocalValve(CopiedAsItself, ValveHere):
         """See Engine.picture()."""
         return self.engine.picture(self, plan)
 
-    def evaluate(self, plans: Any, region_points: int | None = None, evidence: bool | None = None) -> Evaluations:
+    def evaluate(
+        self,
+        plans: Any,
+        region_points: int | None = None,
+        evidence: bool | None = None,
+        model_draws: int | None = None,
+    ) -> Evaluations:
         """See Engine.evaluate()."""
-        return self.engine.evaluate(self, plans, region_points, evidence)
+        return self.engine.evaluate(self, plans, region_points, evidence, model_draws)
 
     def search(self, **options: Any) -> Job[SearchResult]:
         """See Engine.search()."""

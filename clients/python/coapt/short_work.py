@@ -25,10 +25,15 @@ def repair_of(plan: PlanSource | None, **more: Any) -> dict[str, Any]:
 
 
 def scoring_of(
-    plans: PlanSource | Iterable[PlanSource], region_points: int | None, evidence: bool | None
+    plans: PlanSource | Iterable[PlanSource],
+    region_points: int | None,
+    evidence: bool | None,
+    model_draws: int | None = None,
 ) -> dict[str, Any]:
     documents = [plan for _, plan in all_named_plans(plans)]
-    return {"plans": documents} | given(region_points=region_points, evidence=evidence)
+    return {"plans": documents} | given(
+        region_points=region_points, evidence=evidence, model_draws=model_draws
+    )
 
 
 class ShortWork(Asking):
@@ -179,6 +184,7 @@ class ShortWork(Asking):
         plans: PlanSource | Iterable[PlanSource],
         region_points: int | None = None,
         evidence: bool | None = None,
+        model_draws: int | None = None,
     ) -> Evaluations:
         """Scores plans of one's own as a search scores its finalists, in the order given.
 
@@ -186,8 +192,10 @@ class ShortWork(Asking):
             below the service's limit (1,000 closures)
         :param evidence: each plan also under errors of single sutures and further remodelling, 88 to 308 closures more; not
             by default
+        :param model_draws: draws of tissue and chordae under which each plan is closed as planned, 0 to 200, none by default; of a
+            valve of which something was observed at least 64, weighed by it
         """
-        request = scoring_of(plans, region_points, evidence)
+        request = scoring_of(plans, region_points, evidence, model_draws)
         return Evaluations.from_json(self._ask("/v1/evaluations", valve, request).json())
 
     def report(
@@ -196,9 +204,10 @@ class ShortWork(Asking):
         plans: PlanSource | Iterable[PlanSource],
         region_points: int | None = None,
         evidence: bool | None = None,
+        model_draws: int | None = None,
     ) -> str:
         """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
-        return self._ask("/v1/reports", valve, scoring_of(plans, region_points, evidence)).body.decode()
+        return self._ask("/v1/reports", valve, scoring_of(plans, region_points, evidence, model_draws)).body.decode()
 
     def _at_once(self, threads: int | None) -> int:
         """Closures of a sweep."""

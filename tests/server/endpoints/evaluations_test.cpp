@@ -1,5 +1,6 @@
 #include "server/endpoints/evaluations.h"
 
+#include "search/conditioning.h"
 #include "tests/server/endpoints/service_scene.h"
 
 namespace coapt {
@@ -41,6 +42,37 @@ TEST_F(EvaluationsTest, RegionPointsAndEvidenceAreClosedToo) {
   EXPECT_EQ(json_of(answer)["closures"], 1 + 2 + 88 + 8);
 }
 
+TEST_F(EvaluationsTest, DrawsAreWeighedByWhatWasObservedOfTheValve) {
+  Json request = request_of({kRing});
+  request["model_draws"] = kConditionedDraws;
+  const Json drawn = json_of(post("/v1/evaluations", request));
+  EXPECT_EQ(drawn["model_draws"]["draws"], kConditionedDraws);
+  EXPECT_FALSE(drawn["model_draws"].contains("observed"));
+  const Json &before = drawn["before"]["leak"], &after = drawn["plans"][0]["leak"];
+  ASSERT_TRUE(before["tissue"].is_array() && after["tissue"].is_array());
+  const double leak_mm2 = before["area_mm2"];
+  request["valve"]["observed"] = {{"leak_mm2", {{"value", leak_mm2}, {"sd", 0.05 * leak_mm2}}}};
+  request["model_draws"] = 8;  // as many as it takes to weigh them
+  const Answer answer = post("/v1/evaluations", request);
+  ASSERT_EQ(answer.status, 200) << json_of(answer);
+  const Json seen = json_of(answer);
+  EXPECT_EQ(seen["model_draws"]["draws"], kConditionedDraws);
+  EXPECT_EQ(seen["model_draws"]["observed"].dump(), R"(["leak_mm2"])");
+  EXPECT_EQ(seen["model_draws"]["contradicts_model"], false);
+  EXPECT_EQ(seen["before"]["leak"]["area_mm2"], leak_mm2);
+  const auto width = [](const Json& interval) {
+    return interval[1].get<double>() - interval[0].get<double>();
+  };
+  EXPECT_LT(width(seen["before"]["leak"]["tissue"]), 0.5 * width(before["tissue"]));
+  EXPECT_LT(width(seen["plans"][0]["leak"]["tissue"]), width(after["tissue"]));
+}
+
+TEST_F(EvaluationsTest, WithoutDrawsNothingIsSaidOfTheTissue) {
+  const Json answer = json_of(post("/v1/evaluations", request_of({kRing})));
+  EXPECT_EQ(answer["model_draws"]["draws"], 0);
+  EXPECT_TRUE(answer["before"]["leak"]["tissue"].is_null());
+}
+
 TEST_F(EvaluationsTest, TooManyClosuresAtOnceAreRefused) {
   limits_.evaluation_closures = 10;  // of the usual size: some 43 of this one
   Json many = request_of({kNothing, kRing});
@@ -49,6 +81,9 @@ TEST_F(EvaluationsTest, TooManyClosuresAtOnceAreRefused) {
   Json evidence = request_of({kNothing, kRing});
   evidence["evidence"] = true;
   EXPECT_EQ(refusal(post("/v1/evaluations", evidence)), (Refused{422, {"/plans"}}));
+  Json drawn = request_of({kRing});
+  drawn["model_draws"] = 60;
+  EXPECT_EQ(refusal(post("/v1/evaluations", drawn)), (Refused{422, {"/plans"}}));
 }
 
 TEST_F(EvaluationsTest, ProblemsPointIntoTheRequest) {
@@ -58,6 +93,7 @@ TEST_F(EvaluationsTest, ProblemsPointIntoTheRequest) {
     request["plans"][1]["steps"][0]["step"] = "fly";
     request["region_points"] = 1090;
     request["evidence"] = "yes";
+    request["model_draws"] = 201;
     request["surprise"] = 1;
     EXPECT_EQ(
         refusal(post(path, request)),

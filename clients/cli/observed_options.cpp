@@ -1,0 +1,71 @@
+#include "clients/cli/observed_options.h"
+
+namespace coapt {
+namespace {
+
+/// How a figure is called on the command line.
+struct FigureOption {
+  const char *value, *sd, *help;
+};
+
+/// In the order of ObservedFigure.
+constexpr std::array<FigureOption, kObservedFigures> kFigures = {
+    {{"--leak", "--leak-sd",
+      "Area of the regurgitant opening, mm2: anatomic (planimetry, 3D vena contracta); an "
+      "effective one over its "
+      "discharge coefficient"},
+     {"--tenting-area", "--tenting-area-sd",
+      "Area between annular line and leaflets in the mid-valve section, mm2"},
+     {"--widest-gap", "--widest-gap-sd",
+      "Diameter of the largest ball that passes between the leaflets, mm"}}};
+
+}  // namespace
+
+void add_observed_options(Command command, ObservedOptions& options,
+                          const std::string& source_option) {
+  for (std::size_t i = 0; i < kFigures.size(); ++i) {
+    const ObservedRow& row = kObservedRows[i];
+    command.add_option(kFigures[i].value, options.values[i], kFigures[i].help)
+        .check(number_from(row.least, row.most));
+    command
+        .add_option(kFigures[i].sd, options.sds[i],
+                    std::string("How well it is known: one standard deviation, ") + row.unit)
+        .check(number_from(row.least_sd, row.most_sd));
+  }
+  command.add_option(source_option, options.source, "Who or what saw it, in words");
+}
+
+std::string observed_option_names() {
+  return "--leak and --leak-sd, --tenting-area and --tenting-area-sd, or --widest-gap and "
+         "--widest-gap-sd";
+}
+
+bool any_observed(const ObservedOptions& options) {
+  for (std::size_t i = 0; i < kFigures.size(); ++i)
+    if (options.values[i] || options.sds[i]) return true;
+  return false;
+}
+
+Errors check_observed(const ObservedOptions& options) {
+  Errors errors;
+  for (std::size_t i = 0; i < kFigures.size(); ++i) {
+    const bool has_value = options.values[i].has_value();
+    if (has_value == options.sds[i].has_value()) continue;
+    const auto [value, sd, help] = kFigures[i];
+    errors.push_back(
+        {ErrorCode::MissingField, "",
+         std::string(has_value ? sd : value) + " is required with " + (has_value ? value : sd)});
+  }
+  return errors;
+}
+
+void take_observed(const ObservedOptions& options, Valve& valve) {
+  for (std::size_t i = 0; i < kFigures.size(); ++i) {
+    if (!options.values[i]) continue;
+    const auto figure = static_cast<ObservedFigure>(i);
+    std::erase_if(valve.observed, [&](const Observation& seen) { return seen.figure == figure; });
+    valve.observed.push_back({figure, *options.values[i], *options.sds[i], options.source});
+  }
+}
+
+}  // namespace coapt
