@@ -95,9 +95,9 @@ TEST_F(EvaluationsTest, ProblemsPointIntoTheRequest) {
     request["evidence"] = "yes";
     request["model_draws"] = 201;
     request["surprise"] = 1;
-    EXPECT_EQ(
-        refusal(post(path, request)),
-        (Refused{422, {"/plans/1/steps/0/step", "/region_points", "/evidence", "/surprise"}}));
+    EXPECT_EQ(refusal(post(path, request)), (Refused{422,
+                                                     {"/plans/1/steps/0/step", "/region_points",
+                                                      "/evidence", "/model_draws", "/surprise"}}));
     Json impossible = request_of({kNothing, kRing});
     impossible["plans"][1]["steps"] = {{{"step", "chordal_excision"}, {"chorda", "none"}}};
     EXPECT_EQ(refusal(post(path, impossible)), (Refused{422, {"/plans/1/steps/0/chorda"}}));
