@@ -9,7 +9,7 @@
 namespace coapt {
 namespace {
 
-using Closures = std::vector<const PlanClosure*>;
+using NodeClosures = std::vector<const PlanClosure*>;
 
 /// One valve, repaired or not, closed in all the ways that say something of its figures.
 struct Known {
@@ -18,7 +18,7 @@ struct Known {
   int triangles = 0;
   const PlanClosure* finer = nullptr;  ///< null: not closed, or not to be trusted
   int finer_triangles = 0;
-  Closures draws{}, region{};
+  NodeClosures draws{}, region{};
   std::optional<PlanOpening> opening{};
 };
 
@@ -26,14 +26,14 @@ int triangles_of(const PlanEvaluations& evaluations) {
   return static_cast<int>(evaluations.valve().faces.rows());
 }
 
-Closures addresses(const std::vector<PlanClosure>& closures) {
-  Closures all;
+NodeClosures addresses(const std::vector<PlanClosure>& closures) {
+  NodeClosures all;
   for (const PlanClosure& closure : closures) all.push_back(&closure);
   return all;
 }
 
 /// Of those closures that are to be trusted: as far from `measured` as each is from that of the valve's own.
-std::optional<Interval> changed(const Closures& closures, double PlanClosure::*figure,
+std::optional<Interval> changed(const NodeClosures& closures, double PlanClosure::*figure,
                                 const PlanClosure& own, double measured) {
   std::vector<double> values;
   for (const PlanClosure* closure : closures)
