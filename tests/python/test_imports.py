@@ -1,14 +1,87 @@
 """Files of segmentation tools become stored valves."""
 
 import json
+import re
 import subprocess
 import unittest
+from types import SimpleNamespace
 
 import coapt
 from client_runs import ClientTest
+from coapt.geometry import packed_geometry
 from programs import COAPT, OK, SOURCE
 
 EXAMPLE = json.loads((SOURCE / "server/openapi.json").read_text())["components"]["examples"]["one_skirt"]["value"]
+
+
+POINTS = [(0, 0, 0), (1.5, 0, 0), (0, 1, 0), (0, 0, 1)]
+FACES = [(0, 1, 2), (0, 2, 3)]
+OBJECT = "v 0.0 0.0 0.0\nv 1.5 0.0 0.0\nv 0.0 1.0 0.0\nv 0.0 0.0 1.0\nf 1 2 3\nf 1 3 4\n"
+
+
+class Cell:
+    """Of VTK."""
+
+    def __init__(self, kind, dimension, corners):
+        self.GetCellType, self.GetCellDimension = (lambda: kind), (lambda: dimension)
+        self.GetNumberOfPoints, self.GetPointId = (lambda: len(corners)), corners.__getitem__
+
+
+class VtkMesh:
+    """What is asked of one: two triangles and a line, or a strip."""
+
+    cells = [Cell(5, 2, [0, 1, 2]), Cell(5, 2, [0, 2, 3]), Cell(3, 1, [1, 2])]
+
+    def GetNumberOfPoints(self):
+        return len(POINTS)
+
+    def GetPoint(self, i):
+        return POINTS[i]
+
+    def GetNumberOfCells(self):
+        return len(self.cells)
+
+    def GetCell(self, i):
+        return self.cells[i]
+
+
+class Geometry(unittest.TestCase):
+    def test_meshes_in_memory_are_the_same_file(self):
+        blocks = [SimpleNamespace(type="triangle", data=FACES), SimpleNamespace(type="vertex", data=[[0]])]
+        flat = [3, 0, 1, 2, 3, 0, 2, 3]
+        for mesh in (
+            (POINTS, FACES),
+            (POINTS, flat),
+            SimpleNamespace(points=POINTS, cells=blocks),
+            SimpleNamespace(points=POINTS, faces=flat),
+            SimpleNamespace(vertices=POINTS, faces=FACES),
+            SimpleNamespace(vertices_mm=POINTS, faces=FACES),
+        ):
+            self.assertEqual(packed_geometry(mesh, "leaflet-1"), {"name": "leaflet-1.obj", "text": OBJECT})
+        self.assertEqual(packed_geometry(VtkMesh(), "a")["text"], OBJECT + "l 2 3\n")
+        strip = VtkMesh()
+        strip.cells = [Cell(6, 2, [1, 2, 0, 3])]
+        self.assertEqual(packed_geometry(strip, "a")["text"].splitlines()[4:], ["f 2 3 1", "f 3 4 1"])
+
+    def test_arrays_of_any_type_are_taken(self):
+        try:
+            import numpy
+        except ImportError:
+            self.skipTest("numpy is not installed")
+        for real, whole in ((numpy.float32, numpy.uint16), (numpy.float64, numpy.int64)):
+            mesh = (numpy.array(POINTS, real), numpy.array(FACES, whole))
+            self.assertEqual(packed_geometry(mesh, "a")["text"], OBJECT)
+
+    def test_points_and_tips_are_tables(self):
+        table = packed_geometry(POINTS[:2], "annulus")
+        self.assertEqual(table, {"name": "annulus.csv", "text": "x,y,z\n0.0,0.0,0.0\n1.5,0.0,0.0\n"})
+        tips = packed_geometry({"AL": (1, 2, 3), "PM": (4, 5, 6)}, "tips")
+        self.assertEqual(tips["text"], "papillary,x,y,z\nAL,1.0,2.0,3.0\nPM,4.0,5.0,6.0\n")
+
+    def test_what_is_no_geometry_is_named(self):
+        for wrong in (3, [1, 2, 3], [("a", "b", "c")], SimpleNamespace(points=POINTS)):
+            with self.assertRaisesRegex(TypeError, "leaflet-2: must be a path"):
+                packed_geometry(wrong, "leaflet-2")
 
 
 class Imports(ClientTest):
@@ -25,6 +98,19 @@ class Imports(ClientTest):
         self.assertEqual((stored.name, stored.chordae), ("mine", 10))
         self.assertEqual(self.client.close(stored.id).status, "converged")
         self.assertIn("mine", [valve.name for valve in self.client.valves()])
+
+    def test_meshes_in_memory_become_the_same_valve(self):
+        skirt, annulus, chordae = self.files()
+        rows = [line.split() for line in skirt.read_text().splitlines()]
+        points = [[float(x) for x in row[1:4]] for row in rows if row and row[0] == "v"]
+        faces = [[int(x.split("/")[0]) - 1 for x in row[1:]] for row in rows if row and row[0] == "f"]
+        numbers = re.compile(r"^[-0-9]")
+        loop = [[float(x) for x in line.split(",")] for line in annulus.read_text().splitlines() if numbers.match(line)]
+        stored = [
+            self.client.import_valve([skirt], annulus, chordae, triangles=100),
+            self.client.import_valve([(points, faces)], loop, chordae, triangles=100),
+        ]
+        self.assertEqual(stored[0].id, stored[1].id)
 
     def test_binary_meshes_and_folders_do_too(self):
         valve = self.folder / "valve.json"

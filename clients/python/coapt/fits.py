@@ -19,7 +19,7 @@ Known = Literal["slack", "tips", "prestretch", "hidden"]
 class Fit:
     """To what a valve is fitted by Client.import_job()."""
 
-    surface: str | os.PathLike[str] | None = None
+    surface: str | os.PathLike[str] | Any | None = None
     """The closed leaflets as imaged, a mesh or points (CSV), in the coordinates and the unit of the other files; None: the leaflets
     themselves, imported with closed=True."""
     side: Literal["atrial", "middle"] = "atrial"

@@ -9,15 +9,19 @@ from collections.abc import Iterable
 from typing import Any
 
 from .errors import NoSuchFile
+from .geometry import packed_geometry
 
 _BINARY = (".ply", ".stl", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".mha")  # may be
 _OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
 
 
-def packed(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """
+def packed(path: str | os.PathLike[str] | Any, name: str = "surface") -> dict[str, Any]:
+    """A file, or what packed_geometry() takes, under this name.
+
     :raises NoSuchFile: it is not there, or cannot be read
     """
+    if not isinstance(path, str | os.PathLike):
+        return packed_geometry(path, name)
     file = pathlib.Path(path)
     try:
         content = file.read_bytes()
@@ -39,23 +43,23 @@ def packed_folder(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
 
 
 def files_to_import(
-    leaflets: Iterable[str | os.PathLike[str]] | str | os.PathLike[str],
-    annulus: str | os.PathLike[str] | None,
+    leaflets: Iterable[str | os.PathLike[str] | Any] | str | os.PathLike[str],
+    annulus: str | os.PathLike[str] | Any | None,
     chordae: str | os.PathLike[str] | int,
-    tips: str | os.PathLike[str] | None,
+    tips: str | os.PathLike[str] | Any | None,
 ) -> dict[str, Any]:
     """leaflets: meshes, or one label map; chordae: a file, or the seed of those to be drawn."""
     files: dict[str, Any] = (
         {"labels": packed(leaflets)}
         if isinstance(leaflets, str | os.PathLike)
-        else {"leaflets": [packed(leaflet) for leaflet in leaflets]}
+        else {"leaflets": [packed(leaflet, f"leaflet-{i}") for i, leaflet in enumerate(leaflets, 1)]}
     )
     if annulus is not None:
-        files["annulus"] = packed(annulus)
+        files["annulus"] = packed(annulus, "annulus")
     if isinstance(chordae, int):
         files["chordae_seed"] = chordae
     else:
         files["chordae"] = packed(chordae)
     if tips is not None:
-        files["tips"] = packed(tips)
+        files["tips"] = packed(tips, "tips")
     return files

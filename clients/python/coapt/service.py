@@ -140,12 +140,12 @@ class Service(StoredWork):
 
     def import_job(
         self,
-        leaflets: Iterable[Path] | Path = (),
-        annulus: Path | None = None,
+        leaflets: Iterable[Path | Any] | Path = (),
+        annulus: Path | Any | None = None,
         chordae: Path | int | None = None,
         *,
         slicerheart: Path | None = None,
-        tips: Path | None = None,
+        tips: Path | Any | None = None,
         fit: Fit | None = None,
         name: str = "imported",
         idempotency_key: str | None = None,
@@ -170,7 +170,7 @@ class Service(StoredWork):
         """
         if slicerheart is not None:
             files = {"slicerheart": packed_folder(slicerheart)} | given(chordae_seed=chordae)
-        elif leaflets == () or chordae is None:
+        elif (isinstance(leaflets, tuple) and not leaflets) or chordae is None:
             raise TypeError("import_job() takes leaflets and chordae, or slicerheart")
         else:
             files = files_to_import(leaflets, annulus, chordae, tips)

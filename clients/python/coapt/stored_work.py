@@ -35,23 +35,24 @@ class StoredWork(ShortWork):
 
     def import_valve(
         self,
-        leaflets: Iterable[Path] | Path,
-        annulus: Path | None,
+        leaflets: Iterable[Path | Any] | Path,
+        annulus: Path | Any | None,
         chordae: Path | int,
         *,
-        tips: Path | None = None,
+        tips: Path | Any | None = None,
         name: str = "imported",
         **options: Any,
     ) -> StoredValve:
         """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
 
         :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one file with both as its parts, or one
-            skirt; or the path of a label map of both (NRRD or NIfTI)
-        :param annulus: a table of x, y, z, or a closed curve of Slicer (.mrk.json); None: that of the label map, else found at the
+            skirt; or the path of a label map of both (NRRD or NIfTI). Also what is in memory: pairs of points and faces, meshes of
+            meshio, PyVista, VTK, trimesh
+        :param annulus: a table of x, y, z, or a closed curve of Slicer (.mrk.json), or points or a line in memory; None: that of the label map, else found at the
             leaflets
         :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
         :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
-            Slicer; left out, they are drawn, too
+            Slicer, or a mapping of "AL" and "PM" to a point; left out, they are drawn, too
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
             "cm", "in" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
             closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
