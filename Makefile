@@ -265,7 +265,7 @@ asan-test:
 fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build clang sanitizers
 	cmake --preset fuzz
-	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_mesh fuzz_image fuzz_import fuzz_endpoints fuzz_seeds
+	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_mesh fuzz_image fuzz_import fuzz_forms fuzz_endpoints fuzz_seeds
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
 	tests/fuzz/file_seeds.py build/fuzz/corpus
 	build/fuzz/bin/fuzz_read_valve $(FUZZ) build/fuzz/corpus/valve
@@ -273,6 +273,7 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each throug
 	build/fuzz/bin/fuzz_mesh $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/mesh
 	build/fuzz/bin/fuzz_image $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/image
 	build/fuzz/bin/fuzz_import $(FUZZ_LIMIT) -seed=1 -max_len=256
+	build/fuzz/bin/fuzz_forms $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/forms
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
 .PHONY: wheel tarball sbom archives-test container-test reproducible clang arm64 workflow-check

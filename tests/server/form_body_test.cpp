@@ -34,6 +34,16 @@ TEST(FormBody, FilesAndFieldsAreTheSameRequestAsJson) {
   EXPECT_EQ(*parse_json(*json), *parse_json(expected.dump()));
 }
 
+TEST(FormBody, NamesInOtherEncodingsAreTakenWithAMarkInTheirPlace) {
+  const std::string body = part("name=\"annulus\"; filename=\"R\xe4nder.csv\"", "1,2,3") +
+                           part("name=\"x\xff\"", "\xfe") + "--x-y--\r\n";
+  const Expected<std::string> json = json_of_form(body, kType);
+  ASSERT_TRUE(json);
+  const Expected<Json> document = parse_json(*json);
+  ASSERT_TRUE(document) << *json;
+  EXPECT_EQ((*document)["annulus"]["name"], "R\xef\xbf\xbdnder.csv");
+}
+
 TEST(FormBody, WhatIsNotWholeIsRefused) {
   const std::string whole = part("name=\"a\"", "1") + "--x-y--\r\n";
   EXPECT_TRUE(json_of_form(whole, kType));
