@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
+#include "core/valve/leaflet_of.h"
 #include "core/valve/vertex_normals.h"
 #include "io/exchange/glb.h"
 #include "io/exchange/tubes.h"
@@ -72,16 +74,20 @@ Faces thick(const Faces& sheet, int sheet_vertices,
   return faces;
 }
 
-/// With their thickness, without which coapting leaflets seem apart, and a vertex for each segment that it lies
-/// in, so that colours end where segments do.
-MorphedMesh leaflets(const Valve& valve, const std::vector<ValveShape>& states) {
-  MorphedMesh mesh{"leaflets", {}, {}, {}, {}};
-  Faces sheet = valve.faces;
+/// The faces of a leaflet, or of the commissures, with their thickness, without which coapting leaflets seem apart, and a vertex for
+/// each segment that it lies in, so that colours end where segments do.
+MorphedMesh leaflet(const std::string& name, std::optional<Leaflet> of, const Valve& valve,
+                    const std::vector<ValveShape>& states) {
+  MorphedMesh mesh{name, {}, {}, {}, {}};
+  std::vector<Eigen::Index> faces;
+  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f)
+    if (leaflet_of(valve.segments[static_cast<std::size_t>(f)]) == of) faces.push_back(f);
+  Faces sheet = valve.faces(faces, Eigen::all);
   std::vector<int> source;
   std::map<std::pair<int, Segment>, int> index;
-  for (Eigen::Index f = 0; f < valve.faces.rows(); ++f) {
-    const Segment segment = valve.segments[static_cast<std::size_t>(f)];
-    for (int& vertex : sheet.row(f)) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Segment segment = valve.segments[static_cast<std::size_t>(faces[i])];
+    for (int& vertex : sheet.row(static_cast<Eigen::Index>(i))) {
       const auto [found, fresh] =
           index.try_emplace({vertex, segment}, static_cast<int>(source.size()));
       if (fresh) {
@@ -91,7 +97,12 @@ MorphedMesh leaflets(const Valve& valve, const std::vector<ValveShape>& states) 
       vertex = found->second;
     }
   }
-  mesh.faces = thick(sheet, static_cast<int>(source.size()), free_edges(valve.faces));
+  std::vector<std::pair<Eigen::Index, int>> rim;
+  for (const auto& [f, k] : free_edges(valve.faces))
+    if (const auto found = std::lower_bound(faces.begin(), faces.end(), f);
+        found != faces.end() && *found == f)
+      rim.emplace_back(found - faces.begin(), k);
+  mesh.faces = thick(sheet, static_cast<int>(source.size()), rim);
   const std::vector<Colour8> above = mesh.colours;
   mesh.colours.insert(mesh.colours.end(), above.begin(), above.end());
   for (const ValveShape& state : states) {
@@ -250,8 +261,10 @@ std::string scene(const ClosedValve& exported, const ValveShape& shape,
          {"doubleSided", true},
          {"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}}}}}};
   if (!shape.doubt.empty()) document["asset"]["extras"]["closure"] = shape.doubt;
-  for (const MorphedMesh& mesh :
-       {leaflets(valve, states), chordae(valve, states), repair(exported, states)}) {
+  for (const MorphedMesh& mesh : {leaflet("anterior leaflet", Leaflet::Anterior, valve, states),
+                                  leaflet("posterior leaflet", Leaflet::Posterior, valve, states),
+                                  leaflet("commissures", std::nullopt, valve, states),
+                                  chordae(valve, states), repair(exported, states)}) {
     if (mesh.faces.rows() == 0) continue;
     Json json = {{"name", mesh.name}, {"primitives", {primitive(mesh, buffer)}}};
     if (target_count > 0) json["weights"] = std::vector<double>(target_count, 0.0);

@@ -66,15 +66,33 @@ TEST(Glb, TheMotionIsATargetAndEndsInTheClosedValve) {
   const int target = primitive["targets"][0]["POSITION"];
   EXPECT_LT((vector_of(glb, target, 5) - Vec3(0.0, 0.002, 0.0)).norm(), 1e-8);
   ASSERT_EQ(json["animations"].size(), 1U);
-  EXPECT_EQ(json["animations"][0]["channels"].size(), 2U);  // leaflets and chordae
-  EXPECT_EQ(json["nodes"].size(), 3U);
+  EXPECT_EQ(json["animations"][0]["channels"].size(), 3U);  // leaflets and chordae
+  ASSERT_EQ(json["nodes"].size(), 4U);
+  EXPECT_EQ(json["nodes"][1]["name"], "anterior leaflet");
+  EXPECT_EQ(json["nodes"][2]["name"], "posterior leaflet");
 }
 
 TEST(Glb, ColoursEndWhereSegmentsDo) {
   const Json json = json_of(write_glb(still_valve()));
-  const std::size_t colours = json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"];
+  int count = 0;
+  for (const std::size_t leaflet : {0, 1}) {
+    const std::size_t colours = json["meshes"][leaflet]["primitives"][0]["attributes"]["COLOR_0"];
+    count += json["accessors"][colours]["count"].get<int>();
+  }
   // Above and below: six blocks of segments round the valve, each with one column of three vertices more than columns: 8 + 6 columns.
-  EXPECT_EQ(json["accessors"][colours]["count"], 2 * 3 * (8 + 6));
+  EXPECT_EQ(count, 2 * 3 * (8 + 6));
+}
+
+TEST(Glb, LeafletsHaveRimsWhereTheValveEndsAndNotWhereTheyMeet) {
+  const ClosedValve exported = still_valve();
+  const Json json = json_of(write_glb(exported));
+  int triangles = 0;
+  for (const std::size_t leaflet : {0, 1}) {
+    const std::size_t indices = json["meshes"][leaflet]["primitives"][0]["indices"];
+    triangles += json["accessors"][indices]["count"].get<int>() / 3;
+  }
+  // Two sides, and two triangles at each of the eight edges of the annulus and of the free edge.
+  EXPECT_EQ(triangles, 2 * exported.valve.faces.rows() + 2 * (8 + 8));
 }
 
 TEST(Glb, TheOpenValveIsStillAndTheNoticeIsInIt) {
@@ -92,9 +110,9 @@ TEST(Glb, ARingAndASutureAreAMeshOfTheirOwn) {
       Annuloplasty{OwnRing{1}},
       PapillaryApproximation{Side::Anterolateral, Anchor::SaddlePeak, 0.25, 20.0}};
   const Json json = json_of(write_glb(exported));
-  ASSERT_EQ(json["meshes"].size(), 3U);
-  EXPECT_EQ(json["meshes"][2]["name"], "repair");
-  const std::size_t position = json["meshes"][2]["primitives"][0]["attributes"]["POSITION"];
+  ASSERT_EQ(json["meshes"].size(), 4U);
+  EXPECT_EQ(json["meshes"][3]["name"], "repair");
+  const std::size_t position = json["meshes"][3]["primitives"][0]["attributes"]["POSITION"];
   EXPECT_EQ(json["accessors"][position]["count"], 12 * (8 + 1));
 }
 
