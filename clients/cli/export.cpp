@@ -141,7 +141,7 @@ void add_export(Command parent, int& status) {
                   "made from, its own where these are not known; or valve, its own")
       .show_argument("FRAME");
   command.add_option("--grid", arguments->grid,
-                     "Label map that the valve was imported from: .nrrd and .nii have its voxels, "
+                     "Label map that the valve was imported from: label maps have its voxels, "
                      "and load beside the images (default: voxels of 0.5 mm about the valve)");
   std::string formats = "Formats:\n";
   for (const FileFormat& format : file_formats())

@@ -80,7 +80,7 @@ Expected<std::string> labels(const ClosedValve& exported, const ValveShape& shap
 constexpr const char* kBytes = "application/octet-stream";
 constexpr char kPly[] = "ply", kObj[] = "obj", kStl[] = "stl";
 
-constexpr std::array<Format, 10> kFormats = {
+constexpr std::array<Format, 11> kFormats = {
     {{{"glb", "model/gltf-binary", "leaflets and chordae, closing animation (metres)"}, glb},
      {{"vtk", kBytes, "leaflets and chordae with data (legacy VTK)", true}, vtk},
      {{kPly, kBytes, "the leaflets", true}, mesh<kPly>},
@@ -92,7 +92,9 @@ constexpr std::array<Format, 10> kFormats = {
      {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb},
      {{"nrrd", kBytes, "leaflets and annulus as a label map (Slicer's segmentation)", true},
       labels<write_nrrd>},
-     {{"nii", kBytes, "the same (NIfTI-1)", true}, labels<write_nifti>}}};
+     {{"nii", kBytes, "the same (NIfTI-1)", true}, labels<write_nifti>},
+     {{"nii.gz", "application/gzip", "the same (NIfTI-1, compressed)", true},
+      labels<write_nifti_gz>}}};
 
 Errors check_finite(const ClosedValve& exported, const ExportOptions& options) {
   if (options.open || exported.closure.closed_mm.allFinite()) return {};

@@ -109,4 +109,8 @@ std::string write_nifti(const LabelMap& map, const std::string& note) {
   return std::move(header).take() + voxels_of(map);
 }
 
+std::string write_nifti_gz(const LabelMap& map, const std::string& note) {
+  return gzipped(write_nifti(map, note));
+}
+
 }  // namespace coapt

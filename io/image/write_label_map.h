@@ -13,4 +13,7 @@ std::string write_nrrd(const LabelMap& map, const std::string& note);
 /// Not compressed; `note` is its description, of which 79 bytes are kept. NIfTI has no names of labels.
 std::string write_nifti(const LabelMap& map, const std::string& note);
 
+/// The same compressed by gzip.
+std::string write_nifti_gz(const LabelMap& map, const std::string& note);
+
 }  // namespace coapt

@@ -1,6 +1,10 @@
 #include "server/endpoints/exports.h"
 
+#include <algorithm>
+
 #include "core/closure/closure.h"
+#include "core/valve/problem_list.h"
+#include "io/image/image_geometry.h"
 #include "io/picture/picture.h"
 #include "server/answers.h"
 #include "server/repair_request.h"
@@ -20,6 +24,45 @@ ExportFrame read_frame(const JsonPlace& place) {
                                                                    : ExportFrame::Valve;
 }
 
+/// At most as many voxels as a CT of 512 x 512 x 128.
+constexpr int kMostGridVoxels = 1 << 25;
+
+/// The voxels of a label map: how many along i, j and k, and the affine map of (i, j, k, 1) to LPS in mm.
+ImageGeometry read_grid(const JsonPlace& place) {
+  ImageGeometry grid;
+  const auto size_of = [](const JsonPlace& size) {
+    return read_list(size,
+                     [](const JsonPlace& n) { return read_integer_in(n, 1, kMostGridVoxels); });
+  };
+  const auto row_of = [](const JsonPlace& row) { return read_list(row, read_number); };
+  const auto rows_of = [&](const JsonPlace& rows) { return read_list(rows, row_of); };
+  std::vector<int> size;
+  std::vector<std::vector<double>> rows;
+  read_fields(place, {{"size", into(size, size_of)}, {"to_lps_mm", into(rows, rows_of)}});
+  Index voxels = 1;
+  for (const int along : size) voxels *= std::min<Index>(along, kMostGridVoxels / voxels + 1);
+  if (size.size() != 3 || voxels > kMostGridVoxels)
+    add_problem(place, ErrorCode::OutOfRange,
+                "must have a size of three numbers and at most 33,554,432 voxels");
+  const auto has_four = [](const std::vector<double>& row) { return row.size() == 4; };
+  if (rows.size() != 3 || !std::all_of(rows.begin(), rows.end(), has_four)) {
+    add_problem(place, ErrorCode::OutOfRange,
+                "must have a to_lps_mm of three rows of four numbers");
+    return grid;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i < size.size()) grid.size[i] = size[i];
+    for (std::size_t k = 0; k < 4; ++k)
+      grid.to_lps_mm(static_cast<Index>(i), static_cast<Index>(k)) = rows[i][k];
+  }
+  grid.placed = true;
+  ProblemList steps;
+  check_voxel_steps(grid.to_lps_mm, "", steps);
+  for (const Error& error : std::move(steps).take())
+    add_problem(place, error.code, "to_lps_mm: " + error.message);
+  return grid;
+}
+
 /// The header that says whether what is shown of a closed valve counts.
 std::pair<std::string, std::string> closure_header(const ClosureResult& closure) {
   return {"Coapt-Closure", closure.crossing ? "crossing" : to_string(closure.status)};
@@ -33,7 +76,8 @@ Answer PostExports::operator()(const Request& request) const {
   return answer_repair(valves, compute, request,
                        {{"format", into(format, read_format)},
                         {"open", into(options.open, read_boolean), false},
-                        {"frame", into(options.frame, read_frame), false}},
+                        {"frame", into(options.frame, read_frame), false},
+                        {"grid", into(options.grid, read_grid), false}},
                        [&](const RepairRequest& asked, RequestClosures& closures) {
                          return valve_file_answer(with_repair(closures.close_and_measure(
                                                                   asked.repaired, {.motion = true}),

@@ -15,7 +15,7 @@ from .results import Evaluations
 from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
 from .sweep import Sweep, SweepItem
 
-FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb", "nrrd", "nii"]
+FileFormat = Literal["glb", "vtk", "ply", "obj", "stl", "mrk.json", "csv", "feb", "nrrd", "nii", "nii.gz"]
 
 MOST_THREADS = 32  # of a sweep: a quarter of the requests that a service answers at once
 

@@ -140,6 +140,28 @@ TEST_F(ClosuresTest, FilesSayHowTheClosureWentAndUnderWhichNameToBeSaved) {
   EXPECT_EQ(refusal(post("/v1/exports", request)), (Refused{422, {"/format"}}));
 }
 
+TEST_F(ClosuresTest, ALabelMapIsDrawnOnTheGridThatIsAskedFor) {
+  Json request = request_to("/v1/exports");
+  request["format"] = "nii";
+  request["valve"]["patient_frame"] = {{1, 0, 0, 5}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  request["grid"] = {{"size", {60, 50, 40}},
+                     {"to_lps_mm", {{1, 0, 0, -25}, {0, 1, 0, -25}, {0, 0, 1, -35}}}};
+  const Answer answer = post("/v1/exports", request);
+  ASSERT_EQ(answer.status, 200);
+  EXPECT_EQ(std::get<Content>(answer.body).bytes.size(), 352U + 60 * 50 * 40);
+  request["grid"]["to_lps_mm"][0][3] = 500;
+  EXPECT_EQ(refusal(post("/v1/exports", request)), (Refused{422, {"/grid"}})) << "beside it";
+  for (const auto& [member, wrong] : {std::pair("size", Json{60, 50}),
+                                      {"size", {1000, 1000, 1000}},
+                                      {"size", {60, 50, 0}},
+                                      {"to_lps_mm", {{1, 0, 0, 0}, {0, 1, 0, 0}}},
+                                      {"to_lps_mm", {{1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}}}) {
+    Json bad = request;
+    bad["grid"][member] = wrong;
+    EXPECT_EQ(post("/v1/exports", bad).status, 422) << wrong;
+  }
+}
+
 TEST_F(ClosuresTest, APictureIsAPng) {
   const Answer answer = post("/v1/pictures", request_to("/v1/pictures"));
   EXPECT_EQ(answer.status, 200);
