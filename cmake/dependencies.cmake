@@ -11,6 +11,7 @@ pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(LZMA REQUIRED IMPORTED_TARGET liblzma)
+find_package(BZip2 REQUIRED)  # Debian 12 has no bzip2.pc
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
 # nlopt_cxx holds everything; Debian's plain nlopt lacks AGS and StoGO, and find_package may pick either.
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt_cxx)

@@ -1,8 +1,10 @@
 #include "clients/cli/import_inputs.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -173,11 +175,27 @@ int read_series(const std::string& folder, std::optional<ImageGeometry>& series)
   return exit_code::kOk;
 }
 
+constexpr std::size_t kMostAlike = 3;
+
+std::string without_numbers(const Error& error) {
+  std::string text = error.path + ' ' + error.message;
+  std::erase_if(text, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return text;
+}
+
 }  // namespace
 
-/// With what the pointer says inside the file; chordae and tips are numbered by their lists.
+/// With what the pointer says inside the file; chordae and tips are numbered by their lists. What is the same but for its place is said
+/// three times and counted.
 int report_import_errors(const Errors& errors, const ImportPlaces& places) {
+  std::map<std::string, std::size_t> count, told;
+  for (const Error& error : errors) ++count[without_numbers(error)];
   for (Error error : errors) {
+    const std::string kind = without_numbers(error);
+    const std::size_t before = told[kind]++;
+    if (before >= kMostAlike) continue;
+    if (before + 1 == kMostAlike && count[kind] > kMostAlike)
+      error.message += " (and " + std::to_string(count[kind] - kMostAlike) + " more like it)";
     for (const std::string list : {"/annulus", "/tips"})
       if (error.path.starts_with(list + "_mm")) error.path.erase(list.size(), 3);
     std::string source = "valve import";
@@ -194,7 +212,7 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
       source = places[0].second;
       error.path.clear();
     }
-    if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "--label");
+    if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "/label");
     if (of_file || source != "valve import")
       report_errors(source, {error});
     else

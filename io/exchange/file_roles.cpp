@@ -71,6 +71,7 @@ FileRole role_of(NamedPart part) {
       return FileRole::Chordae;
     case NamedPart::Tips:
       return FileRole::Tips;
+    case NamedPart::Commissure:
     case NamedPart::Other:
     case NamedPart::OtherLeaflet:
       break;
@@ -107,8 +108,20 @@ std::optional<NamedPart> part_of_file(const std::string& name) {
 bool is_line(const std::string& bytes, const std::string& format) {
   if (format == "obj")
     return bytes.find("\nl ") != std::string::npos && bytes.find("\nf ") == std::string::npos;
+  if (format == "vtp")
+    return bytes.find("NumberOfPolys=\"0\"") != std::string::npos &&
+           bytes.find("NumberOfStrips=\"0\"") != std::string::npos &&
+           bytes.find("NumberOfLines=\"") != std::string::npos &&
+           bytes.find("NumberOfLines=\"0\"") == std::string::npos;
   return format == "vtk" && bytes.find("\nLINES ") != std::string::npos &&
          bytes.find("\nPOLYGONS ") == std::string::npos;
+}
+
+/// Scallops, or a leaflet and its commissures.
+bool are_of_one_leaflet(const NamedFile& a, const NamedFile& b) {
+  return (is_scallop(a.name) && is_scallop(b.name)) ||
+         part_of_file(a.name) == NamedPart::Commissure ||
+         part_of_file(b.name) == NamedPart::Commissure;
 }
 
 bool is_leaflet(FileRole role) { return role == FileRole::Anterior || role == FileRole::Posterior; }
@@ -159,6 +172,8 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
       meshes.push_back(i);
       if (part == NamedPart::Anterior || part == NamedPart::Posterior)
         roles[i] = {role_of(*part), "its name says so"};
+      else if (part == NamedPart::Commissure)
+        roles[i] = {FileRole::Posterior, "its name says a commissure"};
       continue;
     }
     const bool is_leaflet = part == NamedPart::Anterior || part == NamedPart::Posterior;
@@ -201,8 +216,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
       continue;
     }
     if (const auto [other, is_first] = first.try_emplace(role, i);
-        !is_first &&
-        !(is_leaflet(role) && is_scallop(files[i].name) && is_scallop(files[other->second].name))) {
+        !is_first && !(is_leaflet(role) && are_of_one_leaflet(files[i], files[other->second]))) {
       problems.add(ErrorCode::BadReference, path,
                    std::string("is ") + words_of(role) + ", as is file " +
                        std::to_string(given[other->second] + 1) + "; must be one of each");

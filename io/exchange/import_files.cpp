@@ -11,9 +11,11 @@
 #include "io/exchange/chorda_trees.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/mesh_leaflets.h"
+#include "io/exchange/part_names.h"
 #include "io/exchange/stated_axes.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
+#include "io/mesh/source_units.h"
 
 namespace coapt {
 namespace {
@@ -43,17 +45,30 @@ std::string format_of(const std::string& file_name) {
 }
 
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format) {
-  if (format == "obj" || format == "vtk") return read_mesh_line(text, format);
+  if (format == "obj" || format == "vtk" || format == "vtp") return read_mesh_line(text, format);
+  if (format == "ply" || format == "stl" || format == "vtu")
+    return Error{ErrorCode::Unsupported, "",
+                 "is a surface, ." + format +
+                     "; an annulus is a table, a closed curve of Slicer (.mrk.json), or lines of "
+                     "OBJ, .vtk or .vtp"};
   if (format != "json") return read_points_csv(text);
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
-  for (const Markup& markup : *markups)
-    if (markup.type == MarkupType::ClosedCurve) {
-      Expected<Points> drawn = drawn_closed_curve(markup);
-      if (!drawn) return Error{drawn.errors()[0].code, "/markups", drawn.errors()[0].message};
-      return drawn;
-    }
-  return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
+  std::vector<const Markup*> curves, named;
+  for (const Markup& markup : *markups) {
+    if (markup.type != MarkupType::ClosedCurve) continue;
+    curves.push_back(&markup);
+    if (part_named(markup.name) == NamedPart::Annulus) named.push_back(&markup);
+  }
+  if (curves.empty()) return Error{ErrorCode::MissingField, "/markups", "has no ClosedCurve"};
+  if (curves.size() > 1 && named.size() != 1)
+    return Error{ErrorCode::Unsupported, "/markups",
+                 "has " + std::to_string(curves.size()) + " ClosedCurves, " +
+                     std::to_string(named.size()) +
+                     " of them named as a mitral annulus; must have one, or one that is named so"};
+  Expected<Points> drawn = drawn_closed_curve(curves.size() > 1 ? *named[0] : *curves[0]);
+  if (!drawn) return Error{drawn.errors()[0].code, "/markups", drawn.errors()[0].message};
+  return drawn;
 }
 
 Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format) {
@@ -82,6 +97,7 @@ class AxesOfFiles {
   bool turned(const NamedFile& file, const std::string& part, bool is_markup = false) {
     const auto stated = is_markup ? PatientAxes::LPS : stated_axes(file.bytes);
     const bool overruled = given_ && !is_markup;
+    stated_ = stated_ && (overruled || stated);
     const PatientAxes axes = overruled ? *given_ : stated.value_or(PatientAxes::LPS);
     std::string reason = is_markup   ? "markups say their axes"
                          : overruled ? "as given"
@@ -101,12 +117,16 @@ class AxesOfFiles {
     return axes == PatientAxes::RAS;
   }
 
+  /// Of all files so far.
+  bool are_stated() const { return stated_; }
+
   std::vector<ImportDecision> take() && { return std::move(decisions_); }
 
  private:
   std::optional<PatientAxes> given_;
   std::vector<ImportDecision> decisions_;
   std::string parts_, done_;  ///< of the last decision
+  bool stated_ = true;
 };
 
 void take_labels(const ImportFiles& files, const ImportReading& reading, ImportSource& source,
@@ -131,6 +151,8 @@ void take_labels(const ImportFiles& files, const ImportReading& reading, ImportS
   source.leaflets = std::move(parts->leaflets);
   source.order = std::move(parts->order);
   source.parts = std::move(parts->parts);
+  source.sided = std::move(parts->sided);
+  source.axes = map->placed ? SourceAxes::Stated : SourceAxes::Unknown;
   source.unit = LengthUnit::Millimetre;
   if (!files.annulus) source.annulus_mm = std::move(parts->annulus_mm);
   source.decisions.insert(source.decisions.end(), parts->decisions.begin(), parts->decisions.end());
@@ -155,9 +177,12 @@ void take_parts(const ImportFiles& files, const ImportReading& reading, AxesOfFi
   source.leaflets = std::move(found->leaflets);
   source.order = std::move(found->order);
   source.parts = std::move(found->parts);
+  source.sided = std::move(found->sided);
   source.decisions.insert(source.decisions.end(), found->decisions.begin(), found->decisions.end());
-  if (turned)
+  if (turned) {
     for (TriangleMesh& mesh : source.leaflets) turn_axes(mesh.vertices_mm);
+    for (ImportedTip& place : source.sided) turn_axes(place.position_mm);
+  }
   if (files.annulus || found->annulus_mm.rows() == 0) return;
   source.annulus_mm = std::move(found->annulus_mm);
   if (turned) turn_axes(source.annulus_mm);
@@ -173,6 +198,10 @@ void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesO
     take(read_mesh(file.bytes, format_of(file.name), reading.most_unpacked),
          "/leaflets/" + std::to_string(i), problems, mesh);
     if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
+    const std::string name = file.name.substr(file.name.find_last_of("/\\") + 1);
+    if (const auto side = side_named(name.substr(0, name.rfind('.')));
+        side && mesh.vertices_mm.rows() > 0)
+      source.sided.push_back({*side, Vec3(mesh.vertices_mm.colwise().mean())});
     const bool posterior = files.posterior_from ? i >= *files.posterior_from : i > 0;
     sides[posterior ? 1 : 0].push_back(std::move(mesh));
   }
@@ -209,6 +238,7 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
     take_parts(files, reading, axes, source, problems);
   else
     take_leaflets(files, reading, axes, source, problems);
+  if (!files.leaflets.empty() && axes.are_stated()) source.axes = SourceAxes::Stated;
   if (files.labels)
     take_labels(files, reading, source, problems);
   else if (reading.series)
@@ -216,7 +246,10 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   if (files.annulus) {
     const std::string format = format_of(files.annulus->name);
     take(read_closed_loop(files.annulus->bytes, format), "/annulus", problems, source.annulus_mm);
-    if (is_table_format(format)) smooth_few_points(source);
+    if (is_table_format(format)) {
+      smooth_few_points(source);
+      if (const auto unit = stated_unit(files.annulus->bytes)) take_annulus_unit(source, *unit);
+    }
     if (axes.turned(*files.annulus, "annulus", format_of(files.annulus->name) == "json"))
       turn_axes(source.annulus_mm);
   }
@@ -229,7 +262,7 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   if (files.tips) {
     take(read_tips(files.tips->bytes, format_of(files.tips->name)), "/tips", problems, source.tips);
     if (axes.turned(*files.tips, "papillary tips", format_of(files.tips->name) == "json"))
-      for (ImportedTip& tip : source.tips) tip.position_mm.head<2>() *= -1.0;
+      for (ImportedTip& tip : source.tips) turn_axes(tip.position_mm);
   }
   if (!problems.empty()) return std::move(problems).take();
   const std::vector<ImportDecision> turned = std::move(axes).take();

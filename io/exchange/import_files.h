@@ -15,7 +15,7 @@ struct ImportFiles {
   std::vector<NamedFile>
       leaflets;  ///< OBJ, PLY, STL, VTK: the anterior, then the posterior leaflet, or one file: a skirt, or both as its parts
   std::optional<NamedFile> annulus =
-      {};  ///< a table, a closed curve of Slicer (.mrk.json), or lines of OBJ or VTK
+      {};  ///< a table, a closed curve of Slicer (.mrk.json), or lines of OBJ, .vtk or .vtp
   std::optional<NamedFile> chordae = {};  ///< CSV or JSON; none: they are to be drawn
   std::optional<NamedFile> tips = {};     ///< of such chordae: CSV, or labelled points of Slicer
   std::optional<NamedFile> labels =
@@ -38,7 +38,8 @@ struct ImportReading {
 /// "obj" of "Leaflet.OBJ": by its extension in lower case.
 std::string format_of(const std::string& file_name);
 
-/// A closed loop. @param format "json": markups of Slicer, the first closed curve; "obj", "vtk": lines; else a table of x, y, z
+/// A closed loop. @param format "json": markups of Slicer, the only closed curve or the one named as the annulus; "obj", "vtk", "vtp":
+/// lines; else a table of x, y, z
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format);
 
 /// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else a table.

@@ -136,6 +136,7 @@ class LabelChoice {
       candidate.reason = "by the name that the file gives it";
       ++taken;
     }
+    if (part == Part::Posterior && taken > 0) take_commissures();
   }
 
   /// Leaflets of another valve beside ones that need not be mitral.
@@ -265,7 +266,33 @@ class LabelChoice {
     return order;
   }
 
+  std::vector<ImportedTip> sided() const {
+    std::vector<ImportedTip> places;
+    for (const Candidate& candidate : all_) {
+      const auto side = side_named(candidate.name);
+      if (!side || std::string_view(candidate.reason) == "as given") continue;
+      const LabelBox box = LabelVoxels(map_, candidate.label).box();
+      const auto middle = [&](std::size_t axis) {
+        return 0.5 * static_cast<double>(box.min[axis] + box.max[axis]);
+      };
+      places.push_back({*side, map_.centre_mm(middle(0), middle(1), middle(2))});
+    }
+    return places;
+  }
+
  private:
+  /// Labels of tissue; marks of a place are much smaller.
+  void take_commissures() {
+    const LabelShape posterior = shape_of(*of(Part::Posterior)[0]);
+    for (Candidate& candidate : all_) {
+      if (candidate.part || candidate.meant != NamedPart::Commissure ||
+          !is_like(shape_of(candidate), posterior))
+        continue;
+      candidate.part = Part::Posterior;
+      candidate.reason = "by the name that the file gives it";
+    }
+  }
+
   static std::string pointer(Part part) { return std::string("/label_numbers/") + option_of(part); }
 
   template <class Which>
@@ -383,6 +410,7 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   LabelParts parts;
   parts.order = choice.order();
   parts.parts = choice.parts();
+  parts.sided = choice.sided();
   for (const Part part : kParts) {
     const auto labels = choice.of(part);
     if (labels.empty()) continue;

@@ -2,7 +2,7 @@
 //
 // Which label is what: as given; else by the names that the file gives its labels; else the closed band is the annulus, and two
 // labels that are thin as leaflets are the leaflets, of which leaflet_order.h tells which is which. Several labels may be one part
-// (P1, P2 and P3). A leaflet of another valve is refused, or left out where the mitral ones are named so. What is not
+// (P1, P2 and P3, or commissures of their own). A leaflet of another valve is refused, or left out where the mitral ones are named so. What is not
 // used is said.
 #pragma once
 
@@ -26,8 +26,9 @@ struct LabelParts {
   std::vector<TriangleMesh>
       leaflets;  ///< the anterior, then the posterior one, as `order` says; closed, oriented outwards
   LeafletOrder order;
-  Points annulus_mm;              ///< empty if there is no such label
-  std::vector<SourcePart> parts;  ///< every label
+  Points annulus_mm;               ///< empty if there is no such label
+  std::vector<SourcePart> parts;   ///< every label
+  std::vector<ImportedTip> sided;  ///< middles of labels whose names say their side
   std::vector<ImportDecision> decisions;
 };
 

@@ -81,14 +81,17 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts, const LabelNumbers& given) {
     std::optional<NamedPart> meant = is_given ? as_given->second : part_named(part.name);
     // A side that was given is not made of names, too.
     if (!is_given && ((meant == NamedPart::Anterior && !given.anterior.empty()) ||
-                      (meant == NamedPart::Posterior && !given.posterior.empty()) ||
+                      ((meant == NamedPart::Posterior || meant == NamedPart::Commissure) &&
+                       !given.posterior.empty()) ||
                       (meant == NamedPart::Annulus && !given.annulus.empty())))
       meant = meant == NamedPart::Annulus ? NamedPart::Other : std::optional<NamedPart>();
+    if (const auto side = side_named(part.name); surface && side && !is_given)
+      found.sided.push_back({*side, Vec3(part.mesh.vertices_mm.colwise().mean())});
     if (!surface && part.line_mm.rows() >= kLeastOfLine && (meant == NamedPart::Annulus || !meant))
       annulus.push_back(i);
     else if (surface && meant == NamedPart::Anterior)
       anterior.push_back(i);
-    else if (surface && meant == NamedPart::Posterior)
+    else if (surface && (meant == NamedPart::Posterior || meant == NamedPart::Commissure))
       posterior.push_back(i);
     else if (surface && meant == NamedPart::OtherLeaflet)
       foreign.push_back(i);

@@ -11,6 +11,7 @@ struct MeshLeaflets {
   std::vector<TriangleMesh> leaflets;  ///< two, or one skirt
   LeafletOrder order;                  ///< of two
   std::vector<SourcePart> parts;       ///< every part, from 1, of a file of several
+  std::vector<ImportedTip> sided;      ///< middles of parts whose names say their side
   Points annulus_mm;                   ///< of a part that is a line; may be empty
   std::vector<ImportDecision> decisions;
 };

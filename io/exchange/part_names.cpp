@@ -82,9 +82,25 @@ std::optional<NamedPart> part_named(std::string_view name) {
   const bool posterior = words.has_part("posterior") || words.has_any(kPosterior) ||
                          words.has_any(kPosteriorScallops) ||
                          (commissure && words.has_part("leaflet"));
-  if (commissure && !posterior) return NamedPart::Other;
+  if (commissure && !posterior) return NamedPart::Commissure;
   if (anterior == posterior) return {};
   return anterior ? NamedPart::Anterior : NamedPart::Posterior;
+}
+
+std::optional<Side> side_named(std::string_view name) {
+  constexpr std::array<std::string_view, 2> kLateral = {"a1", "p1"}, kMedial = {"a3", "p3"};
+  constexpr std::array<std::string_view, 1> kAl = {"al"}, kPm = {"pm"};
+  const NameWords words(name);
+  // PM is a papillary muscle, too: of which side says what stands before it.
+  const bool short_side =
+      words.has_part("commissur") || words.has_part("papill") || words.has_part("tip");
+  if (words.has_any(kLateral) || words.has_part("anterolateral") ||
+      (short_side && words.has_any(kAl)))
+    return Side::Anterolateral;
+  if (words.has_any(kMedial) || words.has_part("posteromedial") ||
+      (short_side && words.has_any(kPm)))
+    return Side::Posteromedial;
+  return {};
 }
 
 bool is_mitral(std::string_view name) {

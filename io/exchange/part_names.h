@@ -4,14 +4,29 @@
 #include <optional>
 #include <string_view>
 
+#include "core/valve/valve.h"
+
 namespace coapt {
 
-/// Other: of the mitral valve or the heart, but nothing that an import takes. OtherLeaflet: of another valve.
-enum class NamedPart { Anterior, Posterior, Annulus, Chordae, Tips, Other, OtherLeaflet };
+/// Commissure: tissue of the posterior leaflet or, of points, a place. Other: of the mitral valve or the heart, but nothing that an
+/// import takes. OtherLeaflet: of another valve.
+enum class NamedPart {
+  Anterior,
+  Posterior,
+  Commissure,
+  Annulus,
+  Chordae,
+  Tips,
+  Other,
+  OtherLeaflet
+};
 
 /// "Anterior leaflet", "AMVL", "valve_ant.stl", "A.ply", "P2" (a scallop is of its leaflet, a commissural one of the posterior);
 /// in any case. None: nothing, or both leaflets.
 std::optional<NamedPart> part_named(std::string_view name);
+
+/// The side of the valve that a name says: "A1" and "P3", "anterolateral commissure", "PM papillary tip".
+std::optional<Side> side_named(std::string_view name);
 
 /// Whether it names the mitral valve.
 bool is_mitral(std::string_view name);

@@ -8,8 +8,6 @@ namespace {
 constexpr std::size_t kHeadBytes =
     1024;  // Slicer's note stands in the first lines, of STL in its first 80 bytes
 
-void turn(Vec3& point_mm) { point_mm.head<2>() *= -1.0; }
-
 }  // namespace
 
 namespace {
@@ -41,13 +39,15 @@ std::optional<PatientAxes> stated_axes(std::string_view bytes) {
   return lps ? PatientAxes::LPS : PatientAxes::RAS;
 }
 
+void turn_axes(Vec3& point_mm) { point_mm.head<2>() *= -1.0; }
+
 void turn_axes(Points& points_mm) { points_mm.leftCols<2>() *= -1.0; }
 
 void turn_axes(ImportedChorda& chorda) {
-  turn(chorda.insertion_mm);
-  turn(chorda.tip_mm);
-  if (chorda.pressed_tip_mm) turn(*chorda.pressed_tip_mm);
-  for (ImportedSegment& segment : chorda.segments) turn(segment.end_mm);
+  turn_axes(chorda.insertion_mm);
+  turn_axes(chorda.tip_mm);
+  if (chorda.pressed_tip_mm) turn_axes(*chorda.pressed_tip_mm);
+  for (ImportedSegment& segment : chorda.segments) turn_axes(segment.end_mm);
 }
 
 }  // namespace coapt

@@ -18,6 +18,7 @@ std::optional<PatientAxes> stated_axes(std::string_view bytes);
 
 /// Between RAS and LPS either way: half a turn about z.
 void turn_axes(Points& points_mm);
+void turn_axes(Vec3& point_mm);
 void turn_axes(ImportedChorda& chorda);
 
 }  // namespace coapt

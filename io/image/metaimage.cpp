@@ -162,7 +162,7 @@ class MetaImageReader {
     }
     if (header_.field("BinaryData") == "False")
       return {Error{ErrorCode::Unsupported, "/BinaryData", "must be True"}};
-    ByteStream stream(data, packed);
+    ByteStream stream(data, packed ? Packing::Zlib : Packing::None);
     return read_phase(stream, layout, phase_, map_);
   }
 

@@ -312,13 +312,15 @@ class NrrdReader {
   Errors read_voxels(const Axes& axes) {
     const std::optional<VoxelType> type = type_of(lower(header_.field("type")));
     const std::string encoding = lower(header_.field("encoding"));
-    const bool gzip = encoding == "gzip" || encoding == "gz";
+    const Packing packing = encoding == "gzip" || encoding == "gz"     ? Packing::Zlib
+                            : encoding == "bzip2" || encoding == "bz2" ? Packing::Bzip2
+                                                                       : Packing::None;
     const bool words = encoding == "ascii" || encoding == "text" || encoding == "txt";
     if (!type)
       return {Error{ErrorCode::Unsupported, "/type",
                     "must be a type of whole numbers (uchar to ulonglong), float or double"}};
-    if (!gzip && !words && encoding != "raw")
-      return {Error{ErrorCode::Unsupported, "/encoding", "must be raw, gzip or ascii"}};
+    if (packing == Packing::None && !words && encoding != "raw")
+      return {Error{ErrorCode::Unsupported, "/encoding", "must be raw, gzip, bzip2 or ascii"}};
     const std::string endian = lower(header_.field("endian"));
     if (!words && bytes_of(*type) > 1 && endian != "little" && endian != "big")
       return {Error{ErrorCode::MissingField, "/endian", "must be little or big"}};
@@ -329,7 +331,7 @@ class NrrdReader {
                                             static_cast<Index>(map_.layers));
     std::string_view data = header_.data;
     if (Errors errors = skip(data, encoding == "raw", layout); !errors.empty()) return errors;
-    ByteStream stream(data, gzip);
+    ByteStream stream(data, packing);
     Expected<std::vector<std::uint16_t>> labels =
         words ? read_label_words(data, layout.count) : read_labels(stream, layout);
     if (!labels) return labels.errors();

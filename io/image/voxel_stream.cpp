@@ -1,5 +1,6 @@
 #include "io/image/voxel_stream.h"
 
+#include <bzlib.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -16,8 +17,8 @@
 namespace coapt {
 namespace {
 
-constexpr std::size_t kBlock = 1 << 16;        // of a multiple of eight bytes
-constexpr std::size_t kMostInput = 1U << 30;   // handed to zlib at once, which counts in 32 bits
+constexpr std::size_t kBlock = 1 << 16;       // of a multiple of eight bytes
+constexpr std::size_t kMostInput = 1U << 30;  // handed to a library at once, which count in 32 bits
 constexpr int kEitherWindow = 32 + MAX_WBITS;  // gzip or zlib: zlib's manual, inflateInit2
 
 const Error kTruncated = {ErrorCode::InputOutput, "/data", "is truncated or damaged"};
@@ -58,14 +59,28 @@ void ByteStream::Ender::operator()(z_stream* stream) const {
   delete stream;
 }
 
-ByteStream::ByteStream(std::string_view bytes, bool packed) : bytes_(bytes) {
-  if (!packed) return;
-  unpacker_.reset(new z_stream{});
-  inflateInit2(unpacker_.get(), kEitherWindow);
+struct Bzip2Stream {
+  bz_stream state{};
+};
+
+void ByteStream::Ender::operator()(Bzip2Stream* stream) const {
+  BZ2_bzDecompressEnd(&stream->state);
+  delete stream;
+}
+
+ByteStream::ByteStream(std::string_view bytes, Packing packing) : bytes_(bytes) {
+  if (packing == Packing::Zlib) {
+    inflater_.reset(new z_stream{});
+    inflateInit2(inflater_.get(), kEitherWindow);
+  } else if (packing == Packing::Bzip2) {
+    decompressor_.reset(new Bzip2Stream);
+    BZ2_bzDecompressInit(&decompressor_->state, 0, 0);
+  }
 }
 
 bool ByteStream::read(char* into, std::size_t size) {
-  if (unpacker_) return inflate_into(into, size);
+  if (inflater_) return inflate_into(into, size);
+  if (decompressor_) return decompress_into(into, size);
   if (bytes_.size() < size) return false;
   std::memcpy(into, bytes_.data(), size);
   bytes_.remove_prefix(size);
@@ -83,7 +98,7 @@ bool ByteStream::skip(std::uint64_t size) {
 }
 
 bool ByteStream::inflate_into(char* into, std::size_t size) {
-  z_stream& stream = *unpacker_;
+  z_stream& stream = *inflater_;
   stream.next_out = reinterpret_cast<Bytef*>(into);
   stream.avail_out = static_cast<uInt>(size);
   while (stream.avail_out > 0) {
@@ -100,6 +115,33 @@ bool ByteStream::inflate_into(char* into, std::size_t size) {
     } else if (state != Z_OK || (used == 0 && stream.avail_out == before)) {
       return false;
     }
+  }
+  return true;
+}
+
+bool ByteStream::decompress_into(char* into, std::size_t size) {
+  bz_stream& stream = decompressor_->state;
+  stream.next_out = into;
+  stream.avail_out = static_cast<unsigned>(size);
+  while (stream.avail_out > 0) {
+    const std::size_t given = std::min(bytes_.size(), kMostInput);
+    stream.next_in = const_cast<char*>(bytes_.data());
+    stream.avail_in = static_cast<unsigned>(given);
+    const unsigned before = stream.avail_out;
+    const int state = BZ2_bzDecompress(&stream);
+    const std::size_t used = given - stream.avail_in;
+    bytes_.remove_prefix(used);
+    if (state == BZ_STREAM_END) {  // another one may follow, of pbzip2
+      if (stream.avail_out > 0 && bytes_.empty()) return false;
+      char* const next = stream.next_out;
+      const unsigned left = stream.avail_out;
+      BZ2_bzDecompressEnd(&stream);
+      stream = {};
+      if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return false;
+      stream.next_out = next;
+      stream.avail_out = left;
+    } else if (state != BZ_OK || (used == 0 && stream.avail_out == before))
+      return false;
   }
   return true;
 }

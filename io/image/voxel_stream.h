@@ -15,10 +15,14 @@ struct z_stream_s;  // of zlib
 
 namespace coapt {
 
-/// Bytes as they stand, or out of gzip or zlib.
+struct Bzip2Stream;  // of its library, which names no struct
+
+enum class Packing { None, Zlib, Bzip2 };  ///< Zlib: gzip, too
+
+/// Bytes as they stand, or unpacked.
 class ByteStream {
  public:
-  ByteStream(std::string_view bytes, bool packed);
+  ByteStream(std::string_view bytes, Packing packing);
 
   /// Fills `size` bytes. False: there are not as many, or they are damaged.
   bool read(char* into, std::size_t size);
@@ -26,12 +30,15 @@ class ByteStream {
 
  private:
   bool inflate_into(char* into, std::size_t size);
+  bool decompress_into(char* into, std::size_t size);
 
   struct Ender {
     void operator()(z_stream_s* stream) const;
+    void operator()(Bzip2Stream* stream) const;
   };
   std::string_view bytes_;
-  std::unique_ptr<z_stream_s, Ender> unpacker_;  ///< none: as they stand
+  std::unique_ptr<z_stream_s, Ender> inflater_;       ///< none: not of zlib
+  std::unique_ptr<Bzip2Stream, Ender> decompressor_;  ///< none: not of bzip2
 };
 
 enum class VoxelType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };

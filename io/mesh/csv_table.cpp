@@ -83,6 +83,25 @@ std::vector<std::string> names_in(std::string_view line, bool comment,
   return names;
 }
 
+/// Between brackets, or behind an underscore.
+std::string unit_of_name(std::string_view name) {
+  name = unquoted(name);
+  if (const std::size_t open = name.find_first_of("[("); open != std::string_view::npos)
+    return std::string(trimmed(name.substr(open + 1, name.find_first_of("])") - open - 1)));
+  for (const std::string_view unit : kUnitEndings)
+    if (name.size() > unit.size() && name.ends_with(unit)) return std::string(unit.substr(1));
+  return {};
+}
+
+/// The first that the name of an axis states.
+std::string unit_in(std::string_view line) {
+  for (const std::string_view field : split(line, separator_of(line)))
+    if (const std::string axis = plain_name(field);
+        axis.size() == 1 && std::string_view("xyzraslp").find(axis) != std::string_view::npos)
+      if (std::string unit = unit_of_name(field); !unit.empty()) return unit;
+  return {};
+}
+
 }  // namespace
 
 bool CsvTable::has(std::string_view column) const {
@@ -120,6 +139,8 @@ std::string plain_name(std::string_view name) {
 
 Expected<CsvTable> read_csv(std::string_view text,
                             std::initializer_list<std::string_view> columns) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    return Error{ErrorCode::Unsupported, "", "is a table in UTF-16; save it as UTF-8"};
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   CsvTable table;
   char separator = 0;
@@ -131,6 +152,7 @@ Expected<CsvTable> read_csv(std::string_view text,
     if (table.rows.empty()) {
       if (auto names = names_in(content, comment, columns); !names.empty()) {
         table.names = std::move(names);
+        table.unit = unit_in(content);
         continue;
       }
     }

@@ -15,12 +15,13 @@ struct CsvRow {
   std::vector<std::string_view> fields;  ///< trimmed, without quotes
 };
 
-/// Views into the text it was read from.
+/// Views into the text that it was read from.
 struct CsvTable {
   std::vector<std::string>
       names;  ///< of the columns, plain_name() of each; empty if they are not given
   std::vector<CsvRow> rows;
   bool decimal_commas = false;  ///< "1,5" is a number
+  std::string unit;  ///< that the names of axes state, "cm" of "x [cm]" or "x_cm"; else empty
 
   bool has(std::string_view column) const;
   std::optional<double> number(std::string_view field) const;
@@ -34,7 +35,7 @@ std::string plain_name(std::string_view name);
 
 /// The names are those of the last line before the first row, comment or not, that has one of
 /// `columns` as a field or, where x is one, the axes r, a, s or l, p, s. Comments begin with #, % or //. Numbers may have decimal commas where fields are between something else. At
-/// most 100,000 rows.
+/// most 100,000 rows. Unsupported: UTF-16.
 Expected<CsvTable> read_csv(std::string_view text, std::initializer_list<std::string_view> columns);
 
 }  // namespace coapt

@@ -344,8 +344,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, const Frame
           (source.chordae.empty() && source.tips.empty()
                ? std::string("y from the posterior to the anterior sheet, z ") +
                      (options.closed ? "to where the annulus's saddle rises"
-                                     : "away from the leaflets") +
-                     ": no papillary tips say whether the files are mirrored"
+                                     : "away from the leaflets")
                : std::string("x from the anterolateral to the posteromedial papillary tip within "
                              "the annulus plane, z away from the tips"))};
   return framed;

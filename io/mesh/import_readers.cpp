@@ -222,6 +222,15 @@ Expected<Points> read_points_csv(std::string_view text) {
   return points;
 }
 
+std::optional<LengthUnit> stated_unit(std::string_view table) {
+  const Expected<CsvTable> read = read_csv(table, {"x"});
+  if (!read) return {};
+  for (const LengthUnit unit :
+       {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch, LengthUnit::Metre})
+    if (read->unit == to_string(unit)) return unit;
+  return {};
+}
+
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"papillary", "label"});
   if (!table) return table.errors();

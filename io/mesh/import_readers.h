@@ -11,6 +11,9 @@ namespace coapt {
 /// Columns x, y and z by name (csv_table.h), in any order beside others, or three columns without names.
 Expected<Points> read_points_csv(std::string_view text);
 
+/// The unit that the names of a table's columns state ("x [cm]"); none: they state none of these.
+std::optional<LengthUnit> stated_unit(std::string_view table);
+
 /// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 

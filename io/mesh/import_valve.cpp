@@ -6,6 +6,7 @@
 #include "core/valve/problem_list.h"
 #include "core/valve/validate.h"
 #include "io/mesh/given_landmarks.h"
+#include "io/mesh/handedness.h"
 #include "io/mesh/import_chordae.h"
 #include "io/mesh/import_frame.h"
 #include "io/mesh/import_sheets.h"
@@ -126,6 +127,12 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   const Expected<FramedSource> framed =
       into_import_frame(source, {options.chordae_seed.has_value(), state.closed, options.flip});
   if (!framed) return by_name(framed.errors(), called);
+  std::optional<ImportDecision> handedness;
+  if (source.tips.empty() && source.chordae.empty()) {
+    Expected<ImportDecision> judged = judged_handedness(source, framed->patient);
+    if (!judged) return judged.errors();
+    handedness = *std::move(judged);
+  }
   const Expected<Skirt> skirt = resample_skirt(*framed, skirt_size(options.triangles),
                                                {state.closed, options.hidden_mm}, options.budget);
   if (!skirt) return by_name(skirt.errors(), called);
@@ -150,6 +157,7 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
     first.push_back(
         {"frame", "every x of the files turned round", "they are a mirror image, as given"});
   first.push_back(framed->change);
+  if (handedness) first.push_back(*std::move(handedness));
   if (!framed->atrium.subject.empty()) first.push_back(framed->atrium);
   first.insert(first.end(), loose.begin(), loose.end());
   first.insert(first.end(), order->decisions.begin(), order->decisions.end());

@@ -99,6 +99,13 @@ struct SourcePart {
   std::string part = {};  ///< "anterior", "posterior", "annulus"; empty: not used
 };
 
+/// What a source says of the directions of its axes in the patient.
+enum class SourceAxes {
+  Assumed,  ///< nothing, and its format has right-handed ones: LPS
+  Stated,   ///< they are the patient's
+  Unknown   ///< nothing, and they may be left-handed: those of voxels
+};
+
 inline constexpr Eigen::Index kMostFaces = 1'000'000;  ///< of a leaflet's mesh
 
 struct ImportSource {
@@ -111,8 +118,10 @@ struct ImportSource {
   Points annulus_mm;                   ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
   std::vector<ImportedChorda> chordae;
-  std::vector<ImportedTip> tips;       ///< taken only where chordae are drawn
-  std::vector<ImportedTie> ties = {};  ///< of leaflets that hang open
+  std::vector<ImportedTip> tips;        ///< taken only where chordae are drawn
+  std::vector<ImportedTie> ties = {};   ///< of leaflets that hang open
+  std::vector<ImportedTip> sided = {};  ///< middles of parts whose names say their side
+  SourceAxes axes = SourceAxes::Assumed;
   GivenLandmarks landmarks = {};
   std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import
   std::optional<Tissue> tissue;           ///< else thesis table 2.1, by ImportOptions::reference

@@ -52,8 +52,8 @@ Vec3 atrial_normal(const std::vector<TriangleMesh>& leaflets, const Points& annu
 }
 
 std::string sheet_words(const LeafletSigns& signs, std::size_t sheet) {
-  return " has " + significant(100.0 * signs.share[sheet], 2) + " % of the annulus and is " +
-         significant(signs.height_mm[sheet], 2) + " mm tall";
+  return " has " + std::to_string(std::lround(100.0 * signs.share[sheet])) +
+         " % of the annulus and is " + significant(signs.height_mm[sheet], 2) + " mm tall";
 }
 
 std::string both_readings(const LeafletSigns& signs, const LeafletOrder& order, std::size_t first) {

@@ -220,7 +220,14 @@ Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view for
   if (format == "obj") return parts_of(read_obj_file(bytes), obj_parts);
   if (format == "stl") return parts_of(read_stl_file(bytes), stl_parts);
   if (format == "vtk") return parts_of(read_vtk(bytes), vtk_parts);
-  if (format == "vtp") return parts_of(read_vtp(bytes, most_unpacked), grid_parts);
+  if (format == "vtp") {
+    Expected<MeshParts> parts = parts_of(read_vtp(bytes, most_unpacked), grid_parts);
+    const Expected<VtpLines> lines = read_vtp_lines(bytes, most_unpacked);
+    if (parts && lines)
+      if (Points line = line_of(lines->pieces, lines->points_mm); line.rows() > 0)
+        parts->parts.push_back({"", {Points(0, 3), Faces(0, 3), {}}, std::move(line)});
+    return parts;
+  }
   if (format == "vtu") return parts_of(read_vtu(bytes, most_unpacked), grid_parts);
   return parts_of(read_mesh(bytes, format), in_large_pieces);
 }
@@ -235,6 +242,11 @@ Expected<Points> read_mesh_line(std::string_view bytes, std::string_view format)
     for (const ObjLine& line : file->lines)
       for (std::size_t k = 1; k < line.points.size(); ++k)
         segments.push_back({line.points[k - 1], line.points[k]});
+  } else if (format == "vtp") {
+    Expected<VtpLines> lines = read_vtp_lines(bytes, kMostUnpackedSent);
+    if (!lines) return lines.errors();
+    points = std::move(lines->points_mm);
+    segments = std::move(lines->pieces);
   } else {
     const Expected<VtkPolyData> data = read_vtk(bytes);
     if (!data) return data.errors();

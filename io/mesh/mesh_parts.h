@@ -27,7 +27,7 @@ struct MeshParts {
 Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view format,
                                     std::size_t most_unpacked);
 
-/// Lines of a file as one loop or line: OBJ, legacy VTK. Errors: "/lines", there are none, or several that do not hang together.
+/// Lines of a file as one loop or line: OBJ, legacy VTK, .vtp. Errors: "/lines", there are none, or several that do not hang together.
 /// Without lines and faces the points, in their order.
 Expected<Points> read_mesh_line(std::string_view bytes, std::string_view format);
 

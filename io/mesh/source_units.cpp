@@ -109,6 +109,16 @@ UnitReading unit_of(const ImportSource& source) {
   return unit_reading(size, kUsualExtentMm, "the leaflets' size");
 }
 
+void take_annulus_unit(ImportSource& source, LengthUnit unit) {
+  ProblemList apart;
+  if (!source.unit && source.annulus_mm.rows() > 0)
+    check_extent("", source.annulus_mm, leaflets_extent(source), apart);
+  if (!source.unit && apart.empty())
+    source.unit = unit;
+  else
+    source.annulus_mm *= in_mm(unit);
+}
+
 Errors impossible_size(const ImportSource& source, LengthUnit unit) {
   const double size_mm = in_mm(unit) * leaflets_extent(source);
   if (source.annulus_mm.rows() > 0 || !(size_mm > 0.0) ||
@@ -129,6 +139,7 @@ void stretch(ImportSource& source, const Vec3& factors) {
   points(source.annulus_mm);
   points(source.pressed_annulus_mm);
   for (ImportedTip& tip : source.tips) point(tip.position_mm);
+  for (ImportedTip& place : source.sided) point(place.position_mm);
   for (ImportedTie& tie : source.ties) {
     point(tie.anterior_mm);
     point(tie.posterior_mm);

@@ -26,6 +26,10 @@ struct UnitReading {
 /// Where several are or none is: the larger unit of those that programs write, to be looked at.
 UnitReading unit_of(const ImportSource& source);
 
+/// Of an annulus whose file states its unit: that of all files if the leaflets agree in size, else the annulus alone becomes
+/// millimetres.
+void take_annulus_unit(ImportSource& source, LengthUnit unit);
+
 /// Leaflets without an annulus whose size no heart has: an error at "/leaflets".
 Errors impossible_size(const ImportSource& source, LengthUnit unit);
 

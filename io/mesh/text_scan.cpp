@@ -20,7 +20,7 @@ std::optional<T> parse(std::string_view text) {
 
 std::optional<Line> LineScanner::next() {
   if (rest_.empty()) return {};
-  const std::size_t end = rest_.find('\n');
+  const std::size_t end = rest_.find(end_);
   std::string_view text = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   if (!text.empty() && text.back() == '\r') text.remove_suffix(1);

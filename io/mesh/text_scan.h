@@ -12,10 +12,11 @@ struct Line {
   std::string_view text;
 };
 
-/// Hands out lines without their ends (\n or \r\n); none after the last.
+/// Hands out lines without their ends (\n or \r\n; \r where a text has no \n); none after the last.
 class LineScanner {
  public:
-  explicit LineScanner(std::string_view text) : rest_(text) {}
+  explicit LineScanner(std::string_view text)
+      : rest_(text), end_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {}
   std::optional<Line> next();
   std::string_view rest() const { return rest_; }               ///< after the last line handed out
   int number() const { return number_; }                        ///< of that line
@@ -23,6 +24,7 @@ class LineScanner {
 
  private:
   std::string_view rest_;
+  char end_;
   int number_ = 0;
 };
 

@@ -91,9 +91,7 @@ class VtuReader {
       : file_(file), sections_(sections_of(file)), left_(most_unpacked), is_grid_(is_grid) {}
 
   Expected<VtuGrid> read() {
-    if (sections_.pieces != 1)
-      return Error{ErrorCode::Unsupported, "",
-                   "has " + std::to_string(sections_.pieces) + " pieces, must have 1"};
+    if (const auto wrong = wrong_pieces()) return *wrong;
     MeshBuilder mesh;
     const std::vector<const XmlElement*>& points = sections_.arrays["Points"];
     add_points(numbers(points.empty() ? nullptr : points.front(), "/vertices_mm"), mesh);
@@ -119,7 +117,51 @@ class VtuReader {
     return grid;
   }
 
+  Expected<VtpLines> read_lines() {
+    if (const auto wrong = wrong_pieces()) return *wrong;
+    MeshBuilder mesh;
+    const std::vector<const XmlElement*>& points = sections_.arrays["Points"];
+    add_points(numbers(points.empty() ? nullptr : points.front(), "/vertices_mm"), mesh);
+    VtpLines lines;
+    if (!sections_.arrays["Lines"].empty()) add_pieces(lines.pieces);
+    if (!errors_.empty()) return errors_;
+    Expected<Points> taken = std::move(mesh).take_points();
+    if (!taken) return taken.errors();
+    lines.points_mm = *std::move(taken);
+    for (const std::array<int, 2>& piece : lines.pieces)
+      if (piece[0] < 0 || piece[1] < 0 || piece[0] >= lines.points_mm.rows() ||
+          piece[1] >= lines.points_mm.rows())
+        return Error{ErrorCode::BadReference, "/lines",
+                     "lead to points that are not there, must be below " +
+                         std::to_string(lines.points_mm.rows())};
+    return lines;
+  }
+
  private:
+  std::optional<Error> wrong_pieces() const {
+    if (sections_.pieces == 1) return {};
+    return Error{ErrorCode::Unsupported, "",
+                 "has " + std::to_string(sections_.pieces) + " pieces, must have 1"};
+  }
+
+  void add_pieces(std::vector<std::array<int, 2>>& pieces) {
+    const auto& cells = sections_.arrays["Lines"];
+    const std::vector<double> points = numbers(named(cells, "connectivity"), "/lines/connectivity"),
+                              ends = numbers(named(cells, "offsets"), "/lines/offsets");
+    const auto point_at = [&](std::size_t k) {
+      return std::abs(points[k]) < 1e9 ? static_cast<int>(points[k]) : -1;
+    };
+    double begin = 0.0;
+    for (const double end : ends) {
+      if (!(end >= begin && end <= static_cast<double>(points.size())))
+        return fail(ErrorCode::BadReference, "/lines/offsets",
+                    "must ascend to at most " + std::to_string(points.size()));
+      for (auto k = static_cast<std::size_t>(begin) + 1; k < static_cast<std::size_t>(end); ++k)
+        pieces.push_back({point_at(k - 1), point_at(k)});
+      begin = end;
+    }
+  }
+
   void fail(ErrorCode code, const std::string& path, const std::string& message) {
     errors_.push_back({code, path, message});
   }
@@ -217,6 +259,12 @@ Expected<VtuGrid> read_vtp(std::string_view bytes, std::size_t most_unpacked) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
   if (!file) return file.errors();
   return VtuReader(*file, false, most_unpacked).read();
+}
+
+Expected<VtpLines> read_vtp_lines(std::string_view bytes, std::size_t most_unpacked) {
+  const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
+  if (!file) return file.errors();
+  return VtuReader(*file, false, most_unpacked).read_lines();
 }
 
 }  // namespace coapt

@@ -3,6 +3,7 @@
 // Read here and not by VTK's libraries, which bring 52 shared libraries into a program for one format.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,5 +31,14 @@ Expected<VtuGrid> read_vtu(std::string_view bytes, std::size_t most_unpacked = k
 
 /// The same of a PolyData file; its cells are numbered vertices, lines, polygons, strips.
 Expected<VtuGrid> read_vtp(std::string_view bytes, std::size_t most_unpacked = kMostUnpacked);
+
+struct VtpLines {
+  Points points_mm;
+  std::vector<std::array<int, 2>> pieces;  ///< of its lines, each from one point to the next
+};
+
+/// The lines of a PolyData file; there may be none.
+Expected<VtpLines> read_vtp_lines(std::string_view bytes,
+                                  std::size_t most_unpacked = kMostUnpacked);
 
 }  // namespace coapt

@@ -2,6 +2,7 @@
 
 #include "core/valve/patient_frame.h"
 #include "io/exchange/slicerheart.h"
+#include "io/image/detached.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
 #include "io/mesh/skirt.h"
@@ -120,6 +121,18 @@ Errors as_import_calls(Errors errors) {
   return errors;
 }
 
+/// A header with its voxels.
+Expected<std::optional<NamedFile>> whole_labels(const ImportRequest& asked) {
+  if (!asked.labels || !asked.voxels) return asked.labels;
+  const Expected<std::optional<std::string>> named = data_file_of(asked.labels->bytes);
+  if (!named) return Error{named.errors()[0].code, "/labels", named.errors()[0].message};
+  if (!*named)
+    return Error{ErrorCode::UnknownField, "/voxels",
+                 "cannot be given: labels names no other file of voxels"};
+  return std::optional(
+      NamedFile{asked.labels->name, attached(asked.labels->bytes, asked.voxels->bytes)});
+}
+
 }  // namespace
 
 NamedFile read_file(const JsonPlace& place) {
@@ -150,6 +163,7 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
   asked.reading.most_voxels = kMostVoxelsSent;
   return {{"leaflets", into(asked.leaflets, read_named_files), false},
           {"labels", into(asked.labels, read_file), false},
+          {"voxels", into(asked.voxels, read_file), false},
           {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
           {"phase", into(asked.reading.phase, whole(1, kMostPhases)), false},
           {"frame", into(asked.reading.axes, read_axes), false},
@@ -190,6 +204,9 @@ Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
                                     {asked.annulus.has_value(), "/annulus"}})
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
+  if (asked.voxels && !asked.labels)
+    problems.add(ErrorCode::UnknownField, "/voxels",
+                 "needs labels: the header that names this file of voxels");
   if (!asked.leaflets && !asked.labels && !asked.slicerheart)
     problems.add(ErrorCode::MissingField, "/leaflets",
                  "is missing (or give labels, a label map, or slicerheart)");
@@ -222,12 +239,13 @@ Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
 }
 
 Expected<ImportedValve> make_import(const ImportRequest& asked, const ClosureBudget& budget) {
+  const Expected<std::optional<NamedFile>> labels = whole_labels(asked);
+  if (!labels) return labels.errors();
   Expected<ImportSource> source =
-      asked.slicerheart
-          ? read_slicerheart(*asked.slicerheart)
-          : read_import_files({asked.leaflets.value_or(std::vector<NamedFile>{}), asked.annulus,
-                               asked.chordae, asked.tips, asked.labels},
-                              asked.reading);
+      asked.slicerheart ? read_slicerheart(*asked.slicerheart)
+                        : read_import_files({asked.leaflets.value_or(std::vector<NamedFile>{}),
+                                             asked.annulus, asked.chordae, asked.tips, *labels},
+                                            asked.reading);
   if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
   source->name = asked.name;
   source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),

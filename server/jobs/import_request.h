@@ -24,7 +24,8 @@ struct FitRequest {
 
 struct ImportRequest {
   std::optional<std::vector<NamedFile>> leaflets, slicerheart;
-  std::optional<NamedFile> annulus, chordae, tips, labels;
+  std::optional<NamedFile> annulus, chordae, tips, labels,
+      voxels;  ///< of labels that are a header alone
   ImportReading reading;
   GivenLandmarks landmarks;
   std::string name = "imported";

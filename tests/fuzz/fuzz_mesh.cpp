@@ -1,4 +1,4 @@
-// Mesh, chordae and markups files, parts of meshes, tables and multi-blocks: the first byte chooses the reader.
+// Mesh, chordae and markups files, lines, parts of meshes, tables and multi-blocks: the first byte chooses the reader.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
   constexpr std::string_view kMeshes[] = {"obj", "ply", "stl", "vtk"};
-  switch (bytes[0] % 14) {
+  switch (bytes[0] % 16) {
     case 4:
       (void)read_chordae(text, "csv");
       return 0;
@@ -38,6 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       (void)companions_of({"m.vtm", std::string(text)});
       return 0;
     case 11:
+      (void)stated_unit(text);
       if (const auto loop = read_closed_loop(text, "csv"); loop && !loop->allFinite()) std::abort();
       return 0;
     case 12:
@@ -48,10 +49,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       if (const auto parts = read_mesh_parts(text, "vtk", kMostUnpackedSent))
         (void)leaflets_of(*parts);
       return 0;
+    case 14:
+      (void)read_closed_loop(text, "vtp");
+      return 0;
+    case 15:
+      (void)read_closed_loop(text, "json");
+      return 0;
     default:
       break;
   }
-  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 14]);
+  const auto mesh = read_mesh(text, kMeshes[bytes[0] % 16]);
   if (!mesh) return 0;
   const bool indices =
       mesh->faces.minCoeff() >= 0 && mesh->faces.maxCoeff() < mesh->vertices_mm.rows();

@@ -29,8 +29,9 @@ TEST(PartNames, CommonSpellingsOfSlicerHeartAndPapers) {
     EXPECT_EQ(part_named(name), std::nullopt) << name;
   for (const char* name : {"Septal leaflet", "tricuspid anterior leaflet", "ATL", "aortic valve"})
     EXPECT_EQ(part_named(name), NamedPart::OtherLeaflet) << name;
-  for (const char* name : {"left ventricle", "LA", "Aorta", "tricuspid annulus", "commissure A"})
+  for (const char* name : {"left ventricle", "LA", "Aorta", "tricuspid annulus"})
     EXPECT_EQ(part_named(name), NamedPart::Other) << name;
+  EXPECT_EQ(part_named("commissure A"), NamedPart::Commissure);
   EXPECT_EQ(part_named("MA"), NamedPart::Annulus);
   EXPECT_EQ(part_named("papillary AL"), NamedPart::Tips);
 }
@@ -98,6 +99,27 @@ TEST(FileRoles, MeshesThatNothingTellsApartAreLeftToAnatomy) {
   EXPECT_EQ(claim({{"1.stl", ""}, {"posterior.stl", ""}}), LeafletClaim::Named);
 }
 
+TEST(PartNames, SidesAreThoseOfScallopsCommissuresAndMuscles) {
+  for (const char* name : {"A1", "P1 scallop", "anterolateral papillary muscle", "AL commissure",
+                           "papillary AL PM", "AL-tip"})
+    EXPECT_EQ(side_named(name), Side::Anterolateral) << name;
+  for (const char* name :
+       {"p3", "Mitral A3", "posteromedial commissure", "PM commissure", "papillary_PM"})
+    EXPECT_EQ(side_named(name), Side::Posteromedial) << name;
+  for (const char* name : {"", "P2", "PM", "al", "anterior", "lateral", "A10", "palm"})
+    EXPECT_EQ(side_named(name), std::nullopt) << name;
+}
+
+TEST(FileRoles, ACommissureIsAFileOfThePosteriorLeaflet) {
+  const Expected<SortedFiles> sorted = sorted_files({{"AL_commissure.stl", ""},
+                                                     {"anterior.stl", ""},
+                                                     {"posterior.stl", ""},
+                                                     {"PM commissure.stl", ""}});
+  ASSERT_TRUE(sorted) << sorted.errors()[0].message;
+  EXPECT_EQ(sorted->files.order.called[1], "files 1, 3, 4");
+  EXPECT_EQ(roles_of({{"AL_commissure.csv", "x,y\n"}}), (std::vector{FileRole::None})) << "a place";
+}
+
 TEST(FileRoles, ScallopsAreFilesOfOneLeaflet) {
   const Expected<SortedFiles> sorted =
       sorted_files({{"P1.stl", ""}, {"anterior.stl", ""}, {"P3.stl", ""}, {"P2.stl", ""}});
@@ -113,6 +135,9 @@ TEST(FileRoles, LinesAreTheAnnulusAndALeafletOfAnotherValveIsNamed) {
             (std::vector{FileRole::Anterior, FileRole::Annulus}));
   EXPECT_EQ(roles_of({{"ring.obj", "v 0 0 0\nf 1 1 1\n"}}), (std::vector{FileRole::Anterior}))
       << "all parts in one file";
+  EXPECT_EQ(roles_of({{"a.vtp", "NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"2\""},
+                      {"x.vtp", "NumberOfLines=\"1\" NumberOfStrips=\"0\" NumberOfPolys=\"0\""}}),
+            (std::vector{FileRole::Anterior, FileRole::Annulus}));
   const Expected<SortedFiles> septal =
       sorted_files({{"anterior.stl", ""}, {"posterior.stl", ""}, {"septal.stl", ""}});
   ASSERT_FALSE(septal);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "io/exchange/markups.h"
+
 namespace coapt {
 namespace {
 
@@ -171,6 +173,54 @@ TEST(ImportFiles, SeveralLabelsMakeALeafletByNameOrAsGiven) {
   EXPECT_EQ(given->leaflets[1].faces, named->leaflets[1].faces);
 }
 
+TEST(ImportFiles, ACommissureOfItsOwnIsOfThePosteriorLeafletAndItsNameTellsTheSide) {
+  ImportFiles files;
+  files.labels = {
+      "x.nrrd",
+      scallops_nrrd("Segment0_Name:=Anterior\nSegment0_LabelValue:=1\nSegment1_Name:=Posterior\n"
+                    "Segment1_LabelValue:=2\nSegment2_Name:=AL commissure\n"
+                    "Segment2_LabelValue:=4\n")};
+  const Expected<ImportSource> source = read_import_files(files);
+  ASSERT_TRUE(source) << source.errors()[0].message;
+  EXPECT_EQ(source->order.called[1], "labels 2 and 4");
+  ASSERT_EQ(source->sided.size(), 1U);
+  EXPECT_EQ(source->sided[0].side, Side::Anterolateral);
+  EXPECT_NEAR(source->sided[0].position_mm.x(), 5.0 + 12.5, 0.51) << "the middle of its box";
+  EXPECT_EQ(source->axes, SourceAxes::Stated);
+}
+
+TEST(ImportFiles, NamesOfScallopsThatAreOverruledTellNoSide) {
+  ImportFiles files;
+  files.labels = {"x.nrrd",
+                  scallops_nrrd("Segment0_Name:=A\nSegment0_LabelValue:=1\nSegment1_Name:=P1\n"
+                                "Segment1_LabelValue:=2\nSegment2_Name:=P3\n"
+                                "Segment2_LabelValue:=4\n")};
+  EXPECT_EQ(read_import_files(files)->sided.size(), 2U);
+  ImportReading reading;
+  reading.labels = {{1}, {2, 4}, {}};
+  EXPECT_TRUE(read_import_files(files, reading)->sided.empty());
+}
+
+TEST(ImportFiles, ALabelMapThatIsNotPlacedLeavesTheAxesOpen) {
+  std::string text = labels_nrrd("", {1, 2, 3});
+  text.erase(text.find("space: "), text.find("space directions") - text.find("space: "));
+  ImportFiles files;
+  files.labels = {"x.nrrd", text};
+  EXPECT_EQ(read_import_files(files)->axes, SourceAxes::Unknown);
+}
+
+TEST(ImportFiles, PartsOfAMeshThatAreNamedAfterTheirSideAreTurnedWithIt) {
+  ImportFiles files;
+  files.leaflets = {{"a.obj",
+                     "# SPACE=RAS\no A1\nv 1 2 3\nv 2 2 3\nv 1 3 3\nf 1 2 3\no P3\nv 4 5 6\n"
+                     "v 4 5 6\nv 4 5 6\nv 5 5 6\nv 5 6 6\nf 6 7 8\n"}};
+  const Expected<ImportSource> source = read_import_files(files);
+  ASSERT_TRUE(source) << source.errors()[0].message;
+  ASSERT_EQ(source->sided.size(), 2U);
+  EXPECT_LT(source->sided[1].position_mm.x(), -4.0);
+  EXPECT_EQ(source->axes, SourceAxes::Stated);
+}
+
 TEST(ImportFiles, LeafletsOfOtherValvesAreRefusedOrLeftOut) {
   ImportFiles files;
   const auto with_names = [&](const std::string& before) {
@@ -262,6 +312,33 @@ TEST(ImportFiles, AClosedCurveOfSlicerIsASplineAndNeedsPoints) {
     const Expected<Points> loop = read_closed_loop(curve(few, ""), "json");
     ASSERT_FALSE(loop);
     EXPECT_EQ(loop.errors()[0].path, "/markups");
+  }
+}
+
+TEST(ImportFiles, OfSeveralClosedCurvesTheOneNamedAsTheAnnulusIsTaken) {
+  const auto document = [](const std::vector<std::string>& names) {
+    std::vector<Markup> curves;
+    for (const std::string& name : names) {
+      Markup& curve = curves.emplace_back();
+      curve.type = MarkupType::ClosedCurve;
+      curve.name = name;
+      curve.points_mm = Points::Constant(60, 3, static_cast<double>(curves.size()));
+      curve.labels.resize(60);
+    }
+    return write_markups(curves);
+  };
+  EXPECT_EQ((*read_closed_loop(document({"C"}), "json"))(0, 0), 1.0);
+  EXPECT_EQ((*read_closed_loop(document({"Tricuspid annulus", "MV annulus"}), "json"))(0, 0), 2.0);
+  for (const auto& names :
+       {std::vector<std::string>{"C", "C_1"}, {"Annulus", "Mitral annulus"}, {"free edge", "x"}})
+    EXPECT_FALSE(read_closed_loop(document(names), "json")) << names[0];
+}
+
+TEST(ImportFiles, ASurfaceIsNoAnnulus) {
+  for (const char* format : {"stl", "ply", "vtu"}) {
+    const Expected<Points> loop = read_closed_loop("solid x\n", format);
+    ASSERT_FALSE(loop);
+    EXPECT_EQ(loop.errors()[0].code, ErrorCode::Unsupported);
   }
 }
 

@@ -101,7 +101,7 @@ TEST(ImportReaders, TheSamePointsInAnyTable) {
         "% x y z\n1.5 2 3\n4 5 6.5\n", "// traced\n# x_mm y_mm z_mm\n1.5 2 3\n4 5 6.5\n",
         "# x_mm,y_mm,z_mm  2 points, in order [1 0], traced\n1.5,2,3\n4,5,6.5\n",
         "# from x\n1.5,2,3\n4,5,6.5\n", "label,r,a,s\nF-1,1.5,2,3\nF-2,4,5,6.5\n",
-        "1.5,2,3,\n4,5,6.5,\n",
+        "1.5,2,3,\n4,5,6.5,\n", "x,y,z\r1.5,2,3\r4,5,6.5\r",
         "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n# columns = "
         "id,x,y,z,ow,label\n"
         "1,1.5,2,3,0,C-1\n2,4,5,6.5,0,C-2\n"}) {
@@ -123,6 +123,23 @@ TEST(ImportReaders, ColumnsThatNothingNamesAreNotGuessed) {
   const Expected<Points> two = read_points_csv("x,y\n1,2\n");
   ASSERT_FALSE(two);
   EXPECT_NE(two.errors()[0].message.find("not all of x, y and z"), std::string::npos);
+}
+
+TEST(ImportReaders, NamesOfAxesStateTheUnit) {
+  for (const auto& [names, unit] :
+       {std::pair("x [cm],y [cm],z [cm]", std::optional(LengthUnit::Centimetre)),
+        {"id;X (mm);Y (mm);Z (mm)", LengthUnit::Millimetre},
+        {"x_m,y_m,z_m", LengthUnit::Metre},
+        {"x (in),y,z", LengthUnit::Inch},
+        {"x,y,z,time_m", std::nullopt},
+        {"x (LPS),y,z", std::nullopt}})
+    EXPECT_EQ(stated_unit(names + std::string("\n1,2,3\n")), unit) << names;
+}
+
+TEST(ImportReaders, TextInSixteenBitsIsNamed) {
+  const Expected<Points> points = read_points_csv(std::string("\xff\xfex\0,\0y\0", 8));
+  ASSERT_FALSE(points);
+  EXPECT_NE(points.errors()[0].message.find("UTF-16"), std::string::npos);
 }
 
 TEST(ImportReaders, TipsByTheirColumnsOrTheirLabels) {

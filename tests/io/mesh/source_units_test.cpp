@@ -120,5 +120,23 @@ TEST(SourceUnits, TheAtriumIsNotTurnedWhereTipsTell) {
   EXPECT_EQ(valve.errors()[0].path, "/flip");
 }
 
+TEST(SourceUnits, AnAnnulusThatStatesItsUnitIsOfTheFilesOrBroughtToMillimetres) {
+  ImportSource alike = cone_source();
+  scale(alike, 0.1);
+  take_annulus_unit(alike, LengthUnit::Centimetre);
+  EXPECT_EQ(alike.unit, LengthUnit::Centimetre);
+  ImportSource alone = cone_source();
+  const Points annulus = alone.annulus_mm;
+  alone.annulus_mm *= 0.1;
+  take_annulus_unit(alone, LengthUnit::Centimetre);
+  EXPECT_FALSE(alone.unit);
+  EXPECT_TRUE(alone.annulus_mm.isApprox(annulus, 1e-12));
+  ImportSource labels = cone_source();
+  labels.unit = LengthUnit::Millimetre;
+  labels.annulus_mm *= 0.1;
+  take_annulus_unit(labels, LengthUnit::Centimetre);
+  EXPECT_TRUE(labels.annulus_mm.isApprox(annulus, 1e-12));
+}
+
 }  // namespace
 }  // namespace coapt

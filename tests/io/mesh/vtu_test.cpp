@@ -6,6 +6,8 @@
 
 #include <cstring>
 
+#include "io/mesh/mesh_parts.h"
+
 namespace coapt {
 namespace {
 
@@ -199,6 +201,26 @@ TEST(Vtu, WhatUnpacksWithoutEndIsRefusedWithOneLimitForTheFile) {
     EXPECT_EQ(grid.errors()[0].code, ErrorCode::OutOfRange);
     EXPECT_NE(grid.errors()[0].message.find("96 MiB"), std::string::npos);
   }
+}
+
+TEST(Vtu, LinesOfAPolyDataFile) {
+  const auto file = [](const std::string& connectivity) {
+    return "<VTKFile type='PolyData'><PolyData><Piece><Points><DataArray type='Float32' "
+           "format='ascii'>0 0 0 1 0 0 0 1 0</DataArray></Points><Lines><DataArray "
+           "Name='connectivity' format='ascii'>" +
+           connectivity +
+           "</DataArray><DataArray Name='offsets' format='ascii'>4</DataArray></Lines></Piece>"
+           "</PolyData></VTKFile>";
+  };
+  const Expected<VtpLines> lines = read_vtp_lines(file("1 2 0 1"));
+  ASSERT_TRUE(lines) << lines.errors()[0].message;
+  EXPECT_EQ(lines->points_mm.rows(), 3);
+  EXPECT_EQ(lines->pieces, (std::vector<std::array<int, 2>>{{1, 2}, {2, 0}, {0, 1}}));
+  EXPECT_EQ(read_vtp_lines(file("1 2 0 3")).errors()[0].path, "/lines");
+  EXPECT_EQ(read_vtp_lines(file("1 2 0")).errors()[0].path, "/lines/offsets");
+  const Expected<Points> loop = read_mesh_line(file("1 2 0 1"), "vtp");
+  ASSERT_TRUE(loop);
+  EXPECT_EQ(loop->rows(), 3);
 }
 
 TEST(Vtu, RefusesCellsWithAVolume) {

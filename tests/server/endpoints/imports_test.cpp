@@ -78,6 +78,25 @@ TEST_F(ImportsTest, BinaryFilesComeInBase64) {
   EXPECT_EQ(answer.status, 201) << json_of(answer);
 }
 
+TEST_F(ImportsTest, VoxelsBesideTheirHeaderAreJoinedToIt) {
+  const std::string header =
+      "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = 1 1 1\n"
+      "ElementType = MET_UCHAR\nElementDataFile = v.raw\n";
+  Json request = {{"labels", {{"name", "map.mhd"}, {"text", header}}},
+                  {"voxels", {{"name", "v.raw"}, {"text", "\1\2\1\2\1\2\1\2"}}},
+                  {"chordae_seed", 1}};
+  const Answer answer = post("/v1/valves:import", request);
+  EXPECT_EQ(answer.status, 422);
+  EXPECT_EQ(refusal(answer).paths.front(), "/leaflets") << "both labels were found";
+  request.erase("voxels");
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)).paths.front(), "/labels");
+  request["labels"]["text"] = "ObjectType = Image\nElementDataFile = LOCAL\n";
+  request["voxels"] = {{"name", "v.raw"}, {"text", ""}};
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)).paths.front(), "/voxels");
+  request.erase("labels");
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)).paths.front(), "/voxels");
+}
+
 TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
   const Expected<std::vector<NamedFile>> folder =
       write_slicerheart(close_and_measure(small_valve(), {.motion = true}), {.open = true});
