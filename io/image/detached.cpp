@@ -16,11 +16,10 @@ struct NamingLine {
   std::string value;
 };
 
-std::optional<NamingLine> naming_line(std::string_view header) {
+std::optional<NamingLine> naming_line(std::string_view header, std::size_t begin = 0) {
   const bool nrrd = header.starts_with("NRRD000");
   const std::array<std::string_view, 2> keys = {nrrd ? "data file:" : "ElementDataFile",
                                                 nrrd ? "datafile:" : "ElementDataFile"};
-  std::size_t begin = 0;
   while (begin < std::min(header.size(), kMostHeader)) {
     const std::size_t end = std::min(header.find('\n', begin), header.size());
     const std::string_view line = trimmed(header.substr(begin, end - begin));
@@ -45,7 +44,7 @@ Expected<std::optional<std::string>> data_file_of(std::string_view header) {
   if (!line) return std::optional<std::string>();
   const std::string& name = line->value;
   if (name.empty() || name == "LIST" || name.starts_with("LIST ") ||
-      name.find('%') != std::string::npos)
+      name.find('%') != std::string::npos || naming_line(header, line->end + 1))
     return Error{ErrorCode::Unsupported, "",
                  "names several files of voxels; must be one: save as .nrrd or .mha"};
   if (name.find_first_of("/\\") != std::string::npos)

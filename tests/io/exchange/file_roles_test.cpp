@@ -183,6 +183,7 @@ TEST(CompanionFiles, VoxelsAreJoinedToTheirHeader) {
   EXPECT_TRUE(sorted->files.labels->bytes.ends_with("gzip\n\nvoxels"));
   EXPECT_EQ(sorted->places[0].second, 1U);
   EXPECT_EQ(sorted->decisions[0].value, "file 1 holds the voxels of file 2");
+  EXPECT_FALSE(sorted_files({{"x.raw.gz", "voxels"}, {"x.nhdr", header + "data file: y.raw\n"}}));
 }
 
 }  // namespace
