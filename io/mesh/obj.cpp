@@ -46,7 +46,7 @@ std::vector<long long> corners_of(const std::vector<std::string_view>& line, int
 
 /// The names that a face or line stands under: object, group, material.
 using Under = std::array<int, 3>;
-constexpr std::array kKinds = {"objects", "groups", "materials"};
+constexpr std::array kGroupings = {"objects", "groups", "materials"};
 
 class ObjReader {
  public:
@@ -107,12 +107,12 @@ class ObjReader {
       if (!mesh) return mesh.errors();
       file_.mesh = *std::move(mesh);
     }
-    for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
+    for (std::size_t kind = 0; kind < kGroupings.size(); ++kind) {
       std::set<int> used;
       for (const auto* list : {&polygons_, &lines_})
         for (const Under& under : *list) used.insert(under[kind]);
-      if (used.size() < 2 && kind + 1 < kKinds.size()) continue;
-      file_.grouped_by = kKinds[kind];
+      if (used.size() < 2 && kind + 1 < kGroupings.size()) continue;
+      file_.grouped_by = kGroupings[kind];
       file_.groups = names_;
       for (const Under& under : polygons_) file_.group_of_polygon.push_back(under[kind]);
       for (std::size_t i = 0; i < lines_.size(); ++i) file_.lines[i].group = lines_[i][kind];

@@ -24,7 +24,8 @@ inline PlanClosure numbered_closure(int i) {
           .leak_mm2 = i / 3.0,
           .coaptation_mm = -i / 9.0,
           .distance_max_mm = i / 11.0,
-          .tension_max_n = i / 13.0};
+          .tension_max_n = i / 13.0,
+          .leaflet_ratio = i / 17.0};
 }
 
 inline Errors keep_numbered(PlanStore& store, const std::string& subject, int i) {
@@ -42,6 +43,7 @@ inline void expect_same(const PlanClosure& a, const PlanClosure& b) {
   expect_same_bits(a.coaptation_mm, b.coaptation_mm);
   expect_same_bits(a.distance_max_mm, b.distance_max_mm);
   expect_same_bits(a.tension_max_n, b.tension_max_n);
+  expect_same_bits(a.leaflet_ratio, b.leaflet_ratio);
 }
 
 inline int closures_in(const KnownPlans& known) {

@@ -84,7 +84,8 @@ TEST(PlanStoreFile, GoesOnInAFileOfRelease02) {
   ASSERT_TRUE(PlanStore::open(path));
   Database(path).run(
       "ALTER TABLE closures RENAME COLUMN leak_mm2 TO orifice_mm2; "
-      "ALTER TABLE closures ADD COLUMN gap_mm2 ANY; PRAGMA user_version = 1");
+      "ALTER TABLE closures ADD COLUMN gap_mm2 ANY; "
+      "ALTER TABLE closures DROP COLUMN leaflet_ratio; PRAGMA user_version = 1");
   for (int opened = 0; opened < 2; ++opened) {
     Expected<PlanStore> store = PlanStore::open(path);
     ASSERT_TRUE(store);
