@@ -253,7 +253,7 @@ std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
   if (lesions_.empty()) return offered;
   const Lesion* const posterior = posterior_lesion();
   if (!rules_.leaflet_resection) {
-    cut_.push_back({"resection", "not allowed"});
+    cut_.push_back({"resection", "it is offered on request"});
   } else if (posterior == nullptr) {
     cut_.push_back({"resection", "the posterior leaflet does not prolapse"});
   } else if (!has_step<LeafletResection>(rules_.fixed)) {

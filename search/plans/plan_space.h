@@ -9,7 +9,7 @@
 //                     (23.5, 3.8 mm; n = 57); first moved to where that mean is
 //   neochordae        0 to 4 where segments prolapse (3.6 per patient), as many on either leaflet if both do, each with its
 //                     place and length; or
-//   resection         where the posterior leaflet prolapses: triangular or quadrangular with sliding, with its width; the anterior
+//   resection         on request, where the posterior leaflet prolapses: triangular or quadrangular with sliding, with its width; the anterior
 //                     leaflet then has neochordae, if it prolapses, too
 //   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one
 //                     transferred

@@ -29,8 +29,8 @@ struct SearchRules {
   bool chordal_excision = false;
   /// To a lesion.
   bool chordal_transfer = false;
-  /// Of the posterior leaflet where it prolapses.
-  bool leaflet_resection = true;
+  /// Of the posterior leaflet where it prolapses. Sewing takes 0.2 to 0.5 s of a core a plan, a closure 0.01 s.
+  bool leaflet_resection = false;
   /// A clip at a lesion.
   bool edge_to_edge = false;
   double suture_lattice_mm = 0.5;

@@ -181,7 +181,7 @@ class Close(ProgramTest):
         plan = self.write("plan.json", {"schema": "coapt.plan/1", "steps": [ring]})
         self.assertEqual(self.close(VALVE)["warnings"], [])
         warnings = self.close(VALVE, "--plan", plan)["warnings"]
-        self.assertTrue(any("more than 4 ring sizes" in line for line in warnings), warnings)
+        self.assertTrue(any("27 mm or less predicts functional stenosis" in line for line in warnings), warnings)
         words = coapt("close", VALVE, "--plan", plan).stdout
         for line in warnings:
             self.assertIn(f"  ! {line}\n", words)

@@ -117,7 +117,8 @@ class Evaluate(ProgramTest):
         self.assertEqual(plan["measure"]["leak_mm2"], closed["leak_mm2"])
 
     def test_what_practice_rejects_is_evaluated_and_said(self):
-        answer, _ = self.evaluate(self.write("six.json", ring(6)), *SMALL)
+        six = self.write("six.json", ring(6))
+        answer = json.loads(coapt("evaluate", "human-normal", six, *SMALL, "--json").stdout)
         gates = {gate["rule"]: gate for gate in answer["plans"][0]["gates"]}
         self.assertEqual(gates["undersizing"]["severity"], "reject")
         self.assertIn(gates["undersizing"]["finding"], answer["plans"][0]["warnings"])

@@ -253,7 +253,7 @@ inline SearchRequest search_request() {
   options.rules.chordal_length_change = true;
   options.rules.chordal_excision = true;
   options.rules.chordal_transfer = true;
-  options.rules.leaflet_resection = false;
+  options.rules.leaflet_resection = true;
   options.rules.edge_to_edge = true;
   options.openings = false;
   options.front_share = 0.5;

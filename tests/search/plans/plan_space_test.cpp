@@ -162,7 +162,7 @@ TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
   EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings - 1u);
 }
 
-TEST(PlanSpace, ResectionIsOfferedWhereChordaeAreRupturedAndAClipOnRequest) {
+TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
   const Valve& flail = shared_preset("human-p2-prolapse", 150);
   SearchRules rules;
   rules.most_neochordae = 0;
@@ -179,7 +179,6 @@ TEST(PlanSpace, ResectionIsOfferedWhereChordaeAreRupturedAndAClipOnRequest) {
     }
     return choices;
   };
-  rules.leaflet_resection = false;
   const std::size_t plain = leaflet_branches(flail).size();
   EXPECT_EQ(plain, 2u) << "two rings";
   rules.leaflet_resection = rules.edge_to_edge = true;
@@ -370,7 +369,9 @@ TEST(Indication, TheOwnShapeIsOfferedOnRequest) {
 
 TEST(Indication, NeochordaeGoToEveryLeafletThatProlapses) {
   const Valve& valve = shared_preset("human-normal", 200);
-  const PlanSpace one(valve, {}, diagnosis_of({CarpentierType::II}, {Segment::P2}));
+  SearchRules rules;
+  rules.leaflet_resection = true;
+  const PlanSpace one(valve, rules, diagnosis_of({CarpentierType::II}, {Segment::P2}));
   std::set<int> counts;
   for (const Branch& branch : one.branches()) {
     counts.insert(branch.choice.neochordae);
@@ -378,7 +379,7 @@ TEST(Indication, NeochordaeGoToEveryLeafletThatProlapses) {
         << "what prolapses is mended, once";
   }
   EXPECT_EQ(counts, (std::set{0, 1, 2, 3, 4})) << "none beside a resection";
-  const PlanSpace two(valve, {}, diagnosis_of({CarpentierType::II}, {Segment::A2, Segment::P1}));
+  const PlanSpace two(valve, rules, diagnosis_of({CarpentierType::II}, {Segment::A2, Segment::P1}));
   for (const Branch& branch : two.branches()) {
     std::vector<Neochorda> neochordae;
     for (const RepairStep& step : two.plan(branch, start_of(branch)).steps)

@@ -64,8 +64,9 @@ TEST(Candidates, ARingThatPracticeRejectsGivesWayToTheNextLargerOne) {
     return std::get<Annuloplasty>(plan.steps.front()).ring;
   };
   EXPECT_EQ(std::get<OwnRing>(ring_of(4)).sizes_below, 4);
-  // Deeper than the ring is: four sizes of its width are more than four of its area.
+  // Taller leaflets and a wider annulus: four sizes of its width are more than four of its area below the true one.
   valve.annulus_mm.col(0) *= 1.31;
+  valve.rest_mm *= 1.5;
   EXPECT_EQ(std::get<OwnRing>(ring_of(4)).sizes_below, 3);
   EXPECT_EQ(std::get<OwnRing>(ring_of(3)).sizes_below, 3);
 }

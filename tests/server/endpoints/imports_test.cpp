@@ -89,7 +89,7 @@ TEST_F(ImportsTest, VoxelsBesideTheirHeaderAreJoinedToIt) {
   EXPECT_EQ(answer.status, 422);
   EXPECT_EQ(refusal(answer).paths.front(), "/leaflets") << "both labels were found";
   request.erase("voxels");
-  EXPECT_EQ(refusal(post("/v1/valves:import", request)).paths.front(), "/labels");
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)).paths.front(), "/labels/ElementDataFile");
   request["labels"]["text"] = "ObjectType = Image\nElementDataFile = LOCAL\n";
   request["voxels"] = {{"name", "v.raw"}, {"text", ""}};
   EXPECT_EQ(refusal(post("/v1/valves:import", request)).paths.front(), "/voxels");

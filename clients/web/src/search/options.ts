@@ -185,7 +185,7 @@ export const STEPS_ON_REQUEST: Switch[] = [
   { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
   { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
-  { pointer: '/rules/leaflet_resection', label: 'Resect the posterior leaflet', fallback: true },
+  { pointer: '/rules/leaflet_resection', label: 'Resect the posterior leaflet', fallback: false },
   { pointer: '/rules/edge_to_edge', label: 'Edge-to-edge repair', fallback: false },
 ]
 
