@@ -79,7 +79,8 @@ TEST(SurgicalWords, SayWhatARingTakesAway) {
   EXPECT_EQ(words.step, "Annuloplasty ring, size 32 mm, shape generic-classic");
   EXPECT_NE(words.detail.find("Annulus from 36.0 × 28.0 to 32.0 × 24.0 mm"), std::string::npos)
       << words.detail;
-  EXPECT_NE(words.detail.find("2.2 sizes of 2 mm below the true size of 25.9 mm"), std::string::npos)
+  EXPECT_NE(words.detail.find("2.2 sizes of 2 mm below the true size of 25.9 mm"),
+            std::string::npos)
       << words.detail;
 }
 

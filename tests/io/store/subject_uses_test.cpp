@@ -146,7 +146,8 @@ TYPED_TEST(SubjectUses, MoreThanOneStepOfRemovingLeavesNothing) {
     database.run(
         "INSERT INTO subjects (name) VALUES ('e'); WITH RECURSIVE n (i) AS (SELECT 0 UNION ALL "
         "SELECT i + 1 FROM n WHERE i < 24999) INSERT INTO closures SELECT (SELECT number FROM "
-        "subjects WHERE name = 'e'), (SELECT min(number) FROM plans), i, 0, 0, 1.0, 1.0, 1.0, 1.0, 1.0 "
+        "subjects WHERE name = 'e'), (SELECT min(number) FROM plans), i, 0, 0, 1.0, 1.0, 1.0, 1.0, "
+        "1.0 "
         "FROM n");
   else
     database.run(
