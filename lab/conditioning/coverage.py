@@ -56,7 +56,9 @@ def observed_draws(before, after, share, repeats, noise):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("tables", nargs="+", metavar="before after", help="draws.csv of a valve, unrepaired and repaired")
+    parser.add_argument(
+        "tables", nargs="+", metavar="before after", help="draws.csv of a valve, unrepaired and repaired"
+    )
     parser.add_argument("--share", type=float, default=0.25)
     parser.add_argument("--repeats", type=int, default=8, help="observations of each draw")
     arguments = parser.parse_args()
@@ -79,7 +81,9 @@ def main():
     held, widths, effective = map(np.array, zip(*rows))
     held = held.astype(bool)
     if len(per_valve) > 1:
-        print(f"{len(per_valve)} valves: {100 * min(per_valve):.0f} to {100 * max(per_valve):.0f} % of their intervals hold")
+        print(
+            f"{len(per_valve)} valves: {100 * min(per_valve):.0f} to {100 * max(per_valve):.0f} % of their intervals hold"
+        )
     enough = effective >= LEAST_EFFECTIVE
     for name, which in (("all", np.full(len(held), True)), (f"{LEAST_EFFECTIVE:.0f} effective draws or more", enough)):
         if which.any():

@@ -31,9 +31,7 @@ def scoring_of(
     model_draws: int | None = None,
 ) -> dict[str, Any]:
     documents = [plan for _, plan in all_named_plans(plans)]
-    return {"plans": documents} | given(
-        region_points=region_points, evidence=evidence, model_draws=model_draws
-    )
+    return {"plans": documents} | given(region_points=region_points, evidence=evidence, model_draws=model_draws)
 
 
 class ShortWork(Asking):
