@@ -2,7 +2,7 @@
 //
 // Surgeons lay a sizer on the anterior leaflet and take the one whose surface it covers (Carpentier, Adams, Filsoufi, Reconstructive Valve
 // Surgery, chapter 8). The sizer of a 3 : 4 ring is as tall as the leaflet where the ring's anteroposterior diameter is. Their second measure,
-// the distance of the trigones, is not used: in made valves it is drawn apart from the leaflets, and in 17 population valves it would ask for
+// the distance of the trigones, is not used: in made valves it is drawn apart from the leaflets, and in 16 population valves it would ask for
 // rings of 21 to 44 mm.
 #pragma once
 
