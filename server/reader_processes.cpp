@@ -18,6 +18,7 @@
 #include <optional>
 #include <utility>
 
+#include "search/parallel.h"
 #include "server/sandbox.h"
 
 namespace coapt {
@@ -77,6 +78,11 @@ void end_with(int leash) {
   if (poll(&gone, 1, 0) > 0) _exit(0);  // it was let go before
 }
 
+/// In a new process OpenMP's library of clang++ opens files at the first loop; none can be opened later.
+void prepare_openmp() {
+  for_each_index(1, 1, [](int /*index*/) {});
+}
+
 /// Where memory is short this one goes before the server.
 void be_first_to_go() {
   const int file = open("/proc/self/oom_score_adj", O_WRONLY);
@@ -95,6 +101,7 @@ void be_first_to_go() {
   std::set_new_handler(end_out_of_memory);
   std::signal(SIGXCPU, end_out_of_time);
   const std::string question = read_all(answer_to);
+  prepare_openmp();
   enter_sandbox({bytes, order.cpu_seconds});
   const std::string text = work(question);
   std::string head(kHead, kAnswered);
