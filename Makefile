@@ -89,8 +89,10 @@ $(WEB)/node_modules: $(WEB)/package-lock.json
 types: $(WEB)/node_modules  ## the page's types of the service's documents, from server/openapi.json
 	cd $(WEB) && node types.mjs
 
-web-test: programs web  ## types, unit tests, and the page in a real browser with axe-core
+# Its live view is tested, too; web must see the engine that wasm has built.
+web-test: programs wasm  ## types, unit tests, and the page in a real browser with axe-core
 	@cmake/install_packages.sh browser
+	$(MAKE) web
 	cd $(WEB) && node types.mjs && npx --no-install tsc --noEmit && npx --no-install vitest run
 	node --test --test-reporter=spec $(WEB)/test/page/*.test.mjs
 
@@ -109,8 +111,9 @@ build/static/index.html: $(WEB)/node_modules $(STATIC_SOURCES) $(ENGINE) | progr
 	node $(WEB)/static.mjs build/static $(BIN)/coapt $(ENGINE)
 	@touch $@
 
-static-test: static web  ## the page without a service: its engine against coapt, to the bit, and the page in a real browser, off-line, too
+static-test: static  ## the page without a service: its engine against coapt, to the bit, and the page in a real browser, off-line, too
 	@cmake/install_packages.sh browser
+	$(MAKE) web
 	cmake --build --preset release --target closed_presets live_pull coapt-server
 	cd $(WEB) && npx --no-install vitest run --mode static
 	node --test --test-reporter=spec $(WEB)/test/static/page.test.mjs $(WEB)/test/static/live.test.mjs $(WEB)/test/static/train.test.mjs
