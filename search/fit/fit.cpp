@@ -210,7 +210,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   const FitPosterior posterior = posterior_at(problem, point, weights);
   const Eigen::VectorXd away = shift(problem, point, most_probable);
   fit.covariance = posterior.covariance + away * away.transpose();
-  fit.leak = {answer.leak_mm2,
+  fit.leak = {fit.closed.measure.leak.area_mm2,
               Vec2(posterior.leak_sd_mm2, fit.closed.measure.leak_error_mm2).norm()};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);

@@ -40,7 +40,7 @@ FitPosterior posterior_at(FitProblem& problem, const Eigen::VectorXd& point,
     }
   }
   sides.push_back(point);
-  std::vector<FitAnswer> answers = problem.answers(sides);
+  std::vector<FitAnswer> answers = problem.answers_with_leaks(sides);
   // A side that does not close says nothing: the other one has to do, or the prior.
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)
     if (!answers[i].trusted) {

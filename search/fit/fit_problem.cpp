@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/metrics/leak.h"
 #include "core/metrics/quantile.h"
 #include "search/evaluator.h"
 #include "search/fit/correlated_noise.h"
@@ -84,6 +85,15 @@ FitAnswer FitProblem::answer_of(const ClosedValve& closed) const {
 }
 
 std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& points) {
+  return answers(points, measured_.leak_mm2.has_value());
+}
+
+std::vector<FitAnswer> FitProblem::answers_with_leaks(const std::vector<Eigen::VectorXd>& points) {
+  return answers(points, true);
+}
+
+std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& points,
+                                           bool with_leaks) {
   std::vector<FitAnswer> all(points.size());
   ClosureOptions closing = options_.closure;
   closing.budget = budget_;
@@ -93,8 +103,11 @@ std::vector<FitAnswer> FitProblem::answers(const std::vector<Eigen::VectorXd>& p
         with_parameters(valve_, parameters_, values(points[static_cast<std::size_t>(at)]));
     answer.distances_mm.assign(static_cast<std::size_t>(points_mm_.rows()), kUntrusted_mm);
     if (!changed || (budget_.cancelled && budget_.cancelled())) return;
-    const ClosedValve closed = close_and_measure(*changed, closing);
-    if (trusted(closed.closure)) answer = answer_of(closed);
+    ClosedValve closed{*changed, close_valve(*changed, closing), {}};
+    if (trusted(closed.closure)) {
+      if (with_leaks) closed.measure.leak = measure_leak(*changed, closed.closure.closed_mm);
+      answer = answer_of(closed);
+    }
     ++closures_;
   });
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -16,8 +16,8 @@ namespace coapt {
 /// A closed valve as the fit sees it.
 struct FitAnswer {
   std::vector<double> distances_mm;  ///< of the measured points
-  double leak_mm2 = 0.0;
-  bool trusted = false;  ///< it closes; else the numbers are large and mean nothing
+  double leak_mm2 = 0.0;             ///< where it was measured
+  bool trusted = false;              ///< it closes; else the numbers are large and mean nothing
 };
 
 /// Root mean square distance; NaN of one that is not trusted.
@@ -65,7 +65,9 @@ class FitProblem {
   std::vector<double> values(const Eigen::VectorXd& point) const;
 
   FitAnswer answer_of(const ClosedValve& closed) const;
+  /// Their leaks are measured if the fit knows one: that takes longer than to close.
   std::vector<FitAnswer> answers(const std::vector<Eigen::VectorXd>& points);
+  std::vector<FitAnswer> answers_with_leaks(const std::vector<Eigen::VectorXd>& points);
 
   const NearestPoint& nearest() const { return nearest_; }
   /// A place that another run has met, or a closure that was made elsewhere.
@@ -76,6 +78,8 @@ class FitProblem {
                            const FitWeights& weights) const;
 
  private:
+  std::vector<FitAnswer> answers(const std::vector<Eigen::VectorXd>& points, bool with_leaks);
+
   const Valve& valve_;
   const MeasuredClosure& measured_;
   const FitOptions& options_;

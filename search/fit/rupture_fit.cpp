@@ -122,7 +122,7 @@ class RuptureFit {
       problem.allow(budget);
       const std::vector<Eigen::VectorXd> points = {
           problem.point_of(fitted), problem.point_of(as_long_as_given), problem.point_of({})};
-      const std::vector<FitAnswer> answers = problem.answers(points);
+      const std::vector<FitAnswer> answers = problem.answers_with_leaks(points);
       closures_ += problem.closures();
       if (cut_short_ || halted()) {
         for (std::size_t rest = 1; rest < candidates_.size(); ++rest) leave_out(candidates_[rest]);
