@@ -82,10 +82,13 @@ Points annular_stretch(const Points& framed, double depth_mm, const Points& othe
   for (const double sense : {1.0, -1.0}) {
     for (Eigen::Index i = 0; i < n; ++i) {
       double sum = 0.0;
-      for (Eigen::Index k = 1; k < n; ++k) {
-        sum += sense * advance[(i + k - 1) % n];
-        const double score =
-            sum + kEnds * (g[i] + g[(i + k) % n]) - kJoin * gap_mm(apart_mm, i, (i + k) % n);
+      Eigen::Index before = i, end = i;
+      for (Eigen::Index k = 1; k < n; ++k, before = end) {
+        end = end + 1 < n ? end + 1 : 0;
+        sum += sense * advance[before];
+        const double without_gap = sum + kEnds * (g[i] + g[end]);
+        if (without_gap <= best) continue;
+        const double score = without_gap - kJoin * gap_mm(apart_mm, i, end);
         if (score <= best) continue;
         best = score;
         from = i;
