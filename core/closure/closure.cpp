@@ -20,8 +20,9 @@ namespace {
 constexpr int kFastSteps = 6000, kPatientSteps = 20000, kThesisSteps = 40000;
 constexpr double kFastStepsFaces = 2600.0;                 // up to so many kFastSteps are enough
 constexpr double kPartResidual = 0.05, kPartWay_mm = 0.2;  // of a part of the load
-// From a predicted start the slow modes are nearly done, so that more damping ends the rest sooner.
-constexpr double kPredictedDamping = 0.09;
+// From a predicted start the slow modes are nearly done, so that more damping ends the rest sooner; where they are not, the
+// leaflets creep, and less is quicker.
+constexpr double kPredictedDamping = 0.09, kLeastPredictedDamping = 0.035;
 // What single precision reaches: rounding of positions is 1e-4 of the pressure force.
 constexpr double kFloatResidual = 1e-3, kFloatWay_mm = 0.01;
 
@@ -135,7 +136,10 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   std::vector<Rung> ladder;
   if (from.run) {
     RelaxationSettings near = plain;
-    if (from.predicted) near.damping = kPredictedDamping;
+    if (from.predicted) {
+      near.damping = kPredictedDamping;
+      near.least_damping = kLeastPredictedDamping;
+    }
     ladder.push_back({from.predicted ? "float, from a prediction" : "float, from a neighbour",
                       [&model, near, from] { return relax_to(model, near, from.run); }});
   }

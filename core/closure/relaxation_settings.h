@@ -1,6 +1,8 @@
 // What a relaxation (relaxation.h) is asked for.
 #pragma once
 
+#include <limits>
+
 #include "core/closure/allowance.h"
 #include "core/closure/contact.h"
 #include "core/closure/kernels/kernels.h"
@@ -13,6 +15,8 @@ struct RelaxationSettings {
   double way_tolerance_mm = 0.02;  ///< predicted rms way of the leaflets to rest
   int max_steps = 6000;
   double damping = 0.045;  ///< share of a velocity lost in a step at 650 triangles (relaxation.cpp)
+  /// To which damping falls while the leaflets creep one way, if it is less than `damping`.
+  double least_damping = std::numeric_limits<double>::infinity();
   double longest_move_mm = 0.15;  ///< of a node in a step; longer ones let leaflets jump through
   /// A node's mass over the sum of its stiffness. The guaranteed bound is half of that sum; contact
   /// and damping take a little more. Less is a longer step, without guarantee.
