@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from affected import ROOT, affected_rooms, changed_files, usual_base
 
 # What builds every program: a change of these may break all.
-BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/")
+BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/", "words/")
 PRODUCT = ("core", "search", "io", "farm", "server", "clients")
 LAST_LINES = 60  # of what failed
 

@@ -26,6 +26,7 @@ void add_open(Command parent, int& status);
 void add_plan(Command parent, int& status);
 void add_population(Command parent, int& status);
 void add_prefer(Command parent, int& status);
+void add_presets(Command parent, int& status);
 void add_study(Command parent, int& status);
 void add_train(Command parent, int& status);
 /// Below train.

@@ -28,6 +28,7 @@ void add_commands(Command app, int& status) {
   add_plan(app, status);
   add_population(app, status);
   add_prefer(app, status);
+  add_presets(app, status);
   add_study(app, status);
   add_train(app, status);
   add_moved(app, status);

@@ -1,6 +1,6 @@
 // The page without a service, after `vite build --mode static` has built its scripts: puts presets, engine, icon, manifest
 // and the script that keeps all of it for use off-line beside them. `node static.mjs FOLDER COAPT ENGINE`
-import { execFileSync, spawnSync } from 'node:child_process'
+import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -8,14 +8,6 @@ import { fileURLToPath } from 'node:url'
 
 const SOURCES = fileURLToPath(new URL('static/', import.meta.url))
 const [folder, coapt, engine] = process.argv.slice(2)
-
-/// As `coapt` lists them when it is given another name.
-function presetNames() {
-  const { stderr } = spawnSync(coapt, ['close', 'no-such-valve'], { encoding: 'utf8' })
-  const list = /not a preset \((.+)\)/.exec(stderr ?? '')?.[1]
-  if (!list) throw new Error(`${coapt} does not list its presets: ${stderr}`)
-  return list.split(', ')
-}
 
 /// Paths of all files below the folder, sorted.
 function files() {
@@ -28,7 +20,8 @@ function files() {
 
 const presets = join(folder, 'presets')
 mkdirSync(presets, { recursive: true })
-const names = presetNames()
+const answer = execFileSync(coapt, ['presets', '--json'], { encoding: 'utf8' })
+const names = JSON.parse(answer).presets.map(({ name }) => name)
 for (const name of names) execFileSync(coapt, ['valve', 'make', name, '-o', join(presets, `${name}.json`)])
 writeFileSync(join(presets, 'index.json'), JSON.stringify(names))
 copyFileSync(engine, join(folder, 'coapt-engine.wasm'))

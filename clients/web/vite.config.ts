@@ -32,7 +32,7 @@ export default defineConfig(({ mode }) => ({
   },
   worker: { format: 'es' },
   server: {
-    fs: { allow: ['../..'] }, // schedules in examples/training
+    fs: { allow: ['../..'] }, // schedules in examples/training, words
     proxy: { '/v1': 'http://127.0.0.1:8080', '/version': 'http://127.0.0.1:8080' },
   },
   test: { include: [mode === 'static' ? 'test/static/engine.test.mjs' : 'test/unit/**/*.test.ts'], css: true },

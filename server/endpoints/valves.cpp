@@ -2,6 +2,7 @@
 
 #include "core/presets/presets.h"
 #include "io/json/parse_json.h"
+#include "io/json/preset_words.h"
 #include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
@@ -100,8 +101,14 @@ Answer DeleteValve::operator()(const Request& request) const {
 
 Answer GetPresets::operator()(const Request& /*request*/) const {
   Json presets = Json::array();
-  for (const std::string& name : preset_names())
-    presets.push_back({{"name", name}, {"valve", "/v1/presets/" + name}});
+  for (const std::string& name : preset_names()) {
+    const PresetWords words = preset_words(name);
+    presets.push_back({{"name", name},
+                       {"group", words.group},
+                       {"title", words.title},
+                       {"about", words.about},
+                       {"valve", "/v1/presets/" + name}});
+  }
   return json_answer(200, {{"presets", std::move(presets)}});
 }
 

@@ -124,7 +124,18 @@ class FarmStudies(ProgramTest):
     def test_an_interrupted_search_ends_and_leaves_its_work_to_the_farm(self):
         running = subprocess.Popen(
             # So few evaluations, because a worker ends what it has begun, cancelled or not.
-            [COAPT, "plan", "human-functional-mr", *map(str, QUICK), "--evaluations", "100", "--seed", "7", "--farm", self.url],
+            [
+                COAPT,
+                "plan",
+                "human-functional-mr",
+                *map(str, QUICK),
+                "--evaluations",
+                "100",
+                "--seed",
+                "7",
+                "--farm",
+                self.url,
+            ],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,

@@ -114,7 +114,7 @@ class Completion(unittest.TestCase):
                     "plan",
                     "population",
                 ),
-                *("prefer", "study", "train"),
+                *("prefer", "presets", "study", "train"),
             },
         )
         self.assertEqual(self.complete(COAPT, "valve", "re"), {"remodel"})

@@ -105,6 +105,14 @@ class CommandLine(ProgramTest):
 
 
 class Make(ProgramTest):
+    def test_presets_are_listed_with_what_they_are(self):
+        listed = json.loads(self.run_ok("presets", "--json").stdout)["presets"]
+        self.assertIn("human-functional-mr", [preset["name"] for preset in listed])
+        text = self.run_ok("presets").stdout
+        for preset in listed:
+            self.assertEqual(set(preset), {"name", "group", "title", "about"})
+            self.assertIn(f"{preset['name']}: {preset['title']}. {preset['about']}\n", text)
+
     def test_every_preset_passes_check_and_its_schema(self):
         schema = json.loads((SOURCE / "io/schema/valve.schema.json").read_text())
         validator = jsonschema.Draft202012Validator(schema)

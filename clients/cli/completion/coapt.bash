@@ -11,8 +11,10 @@ _coapt_subcommands() {
   "$@" --help 2>/dev/null | awk '/^[^ ]/ { listed = /^Subcommands:/; next } listed && /^  [a-z]/ { print $1 }'
 }
 
-_coapt_presets='porcine-1 porcine-2 porcine-3 porcine-4 porcine-5 porcine-thesis porcine-thesis-tables human-normal
-  human-functional-mr human-p2-prolapse barlow fibroelastic-flail marfan secondary-mr hypertrophic'
+# Presets by name, from coapt beside whichever program it is.
+_coapt_presets() {
+  "${1%-live}" presets 2>/dev/null | sed 's/:.*//'
+}
 
 # What follows an option; nothing: a file, or anything.
 _coapt_values() {
@@ -66,7 +68,7 @@ _coapt() {
   else
     words=$([[ $previous != -* ]] || _coapt_values "$previous")
     [[ -n $words || $previous == -* ]] || words=$(_coapt_subcommands "${command[@]}")
-    [[ -n $words || $previous == -* || ${COMP_WORDS[0]} =~ coapt-(farm|server)$ ]] || words=$_coapt_presets
+    [[ -n $words || $previous == -* || ${COMP_WORDS[0]} =~ coapt-(farm|server)$ ]] || words=$(_coapt_presets "${COMP_WORDS[0]}")
   fi
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$whole")
   [[ $whole != *:* ]] || COMPREPLY=("${COMPREPLY[@]#"${whole%:*}:"}")

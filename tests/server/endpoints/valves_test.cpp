@@ -79,6 +79,9 @@ TEST_F(ValvesTest, PresetsAreListedAndGot) {
   const auto presets = json_of(get("/v1/presets"))["presets"];
   ASSERT_EQ(presets.size(), preset_names().size());
   EXPECT_EQ(presets[0]["name"], preset_names()[0]);
+  for (const auto& listed : presets)
+    for (const char* words : {"group", "title", "about"})
+      EXPECT_FALSE(listed[words].get<std::string>().empty()) << listed["name"] << words;
   const Answer preset = get(presets[0]["valve"]);
   EXPECT_EQ(preset.status, 200);
   EXPECT_EQ(json_of(preset)["schema"], "coapt.valve/1");

@@ -1,5 +1,6 @@
 // Answers in place of coapt-server, for the page without one (make static): closures, scenes and openings from the engine,
 // presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
+import { presetWords } from '../valve/presets'
 import type { AskEngine } from './client'
 import type { KeptValve, ValveShelf } from './kept_valves'
 
@@ -28,7 +29,9 @@ export function localService({ engine, file, valves }: LocalParts): LocalService
         return ask(path, '', signal)
       case 'GET /v1/presets':
         if (id !== undefined) return textOrMissing(await preset(id))
-        return json(200, { presets: (await presetNames()).map((name) => ({ name, valve: `${PRESETS}/${name}` })) })
+        return json(200, {
+          presets: (await presetNames()).map((name) => ({ name, ...presetWords(name), valve: `${PRESETS}/${name}` })),
+        })
       case 'GET /v1/valves':
         if (id !== undefined) return textOrMissing((await valves.find(id))?.text)
         return json(200, { valves: (await valves.list()).map(summary) })

@@ -5,6 +5,7 @@ import { localService } from '../../src/engine/local_service'
 import type { EngineThread } from '../../src/engine/thread'
 import { wasi } from '../../src/engine/wasi'
 import type { EngineReply, EngineRequest } from '../../src/engine/worker'
+import { presetWords } from '../../src/valve/presets'
 
 const bytes = (text: string) => new TextEncoder().encode(text) as Uint8Array<ArrayBuffer>
 type Thread = EngineThread<EngineRequest, EngineReply>
@@ -93,7 +94,7 @@ test('a thread that has died fails what waits for it, and what comes later', asy
 test('a preset is listed, and closed as the text that it is', async () => {
   const { ask, asked } = service()
   expect(await (await ask('GET', '/v1/presets')).json()).toEqual({
-    presets: [{ name: 'barlow', valve: '/v1/presets/barlow' }],
+    presets: [{ name: 'barlow', ...presetWords('barlow'), valve: '/v1/presets/barlow' }],
   })
   expect(await (await ask('GET', '/v1/presets/barlow')).text()).toBe(VALVE)
   await ask('POST', '/v1/scenes', { valve: 'barlow', frames: 3 })

@@ -1,0 +1,47 @@
+#include "core/presets/presets.h"
+
+#include <iostream>
+#include <memory>
+
+#include "clients/cli/commands.h"
+#include "io/command_line/exit_code.h"
+#include "io/json/json.h"
+#include "io/json/preset_words.h"
+#include "io/json/version.h"
+
+namespace coapt {
+namespace {
+
+void print_json() {
+  Json presets = Json::array();
+  for (const std::string& name : preset_names()) {
+    const PresetWords words = preset_words(name);
+    presets.push_back(
+        {{"name", name}, {"group", words.group}, {"title", words.title}, {"about", words.about}});
+  }
+  std::cout << Json{{"presets", presets}, {"notice", kResearchNotice}}.dump(2) << '\n';
+}
+
+void print_text() {
+  for (const std::string& name : preset_names()) {
+    const PresetWords words = preset_words(name);
+    std::cout << name << ": " << words.title << ". " << words.about << '\n';
+  }
+}
+
+}  // namespace
+
+void add_presets(Command parent, int& status) {
+  const auto json = std::make_shared<bool>(false);
+  Command command = parent.add_command("presets", "List the valves that coapt brings along");
+  command.add_flag("--json", *json, "Print JSON");
+  command.footer(
+      "Every command that takes a valve takes the name of a preset for it.\n\n"
+      "Examples:\n  coapt presets\n  coapt presets --json");
+  command.on_run([json, &status] {
+    *json ? print_json() : print_text();
+    status = exit_code::kOk;
+  });
+}
+
+}  // namespace coapt
