@@ -16,8 +16,9 @@ class Checks(FarmTest):
         coordinator = self.coordinator(request, "--check-share", "0.5")
         # Without another one alive the wrong one would check itself.
         right = self.stopped_worker("--name", "right", items=0, lease=60, url=self.one)
-        self.worker("--name", "wrong", TOY_FLIP="0.3", url=self.two)
-        wait_until(lambda: self.number("SELECT sum(tasks) FROM coapt_farm.worker") >= 15)
+        self.worker("--name", "wrong", TOY_FLIP="0.5", url=self.two)
+        # None of 25 is both wrong and drawn to be checked once in 1,300 runs.
+        wait_until(lambda: self.number("SELECT sum(tasks) FROM coapt_farm.worker") >= 25)
         right.send_signal(signal.SIGCONT)
         self.worker("--name", "also right", url=self.three)
         self.collect(coordinator, request)
