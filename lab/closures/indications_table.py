@@ -124,7 +124,7 @@ def main():
                 }
             )
             print(rows[-1], flush=True)
-    write_table(options.output, rows)
+            write_table(options.output, rows)  # a run that is cut leaves what it has
 
 
 if __name__ == "__main__":

@@ -27,9 +27,12 @@ VolumeRise searched(const SolvedFront& front, std::uint64_t seed, int most_closu
     return ClosedPlan{front.before, nullptr};  // asked for the unrepaired valve alone
   };
   SearchMonitor monitor(0.0, nullptr);
-  PlanEvaluationOptions options{1, front.closures, {}, {}, [](const Valve&) -> PlanOpening {
-                                  throw std::logic_error("an opening that was not solved");
-                                }};
+  PlanEvaluationOptions options;
+  options.threads = 1;
+  options.known = front.closures;
+  options.open = [](const Valve&) -> PlanOpening {
+    throw std::logic_error("an opening that was not solved");
+  };
   options.known_openings = front.openings;
   PlanEvaluations evaluations(evaluate, front.of.valve, std::move(options), monitor);
   const std::vector<PlanRecord*> plans = plans_of(*front.space, *front.flat, evaluations).plans;

@@ -25,8 +25,11 @@ std::optional<SolvedFront> solve_front(const LatticeCase& lattice, int threads,
   solved.flat = std::make_shared<FlatSpace>(*solved.space);
   SearchMonitor monitor(0.0, context.cancelled, context.progress);
   const Evaluator evaluate = context.evaluate ? context.evaluate : closing_evaluator({});
-  PlanEvaluationOptions options{
-      threads, context.known, context.keep, {}, context.open ? context.open : Opener{open_plan}};
+  PlanEvaluationOptions options;
+  options.threads = threads;
+  options.known = context.known;
+  options.keep = context.keep;
+  options.open = context.open ? context.open : Opener{open_plan};
   options.known_openings = openings;
   PlanEvaluations evaluations(evaluate, lattice.valve, std::move(options), monitor);
   solved.before = evaluations.before();
