@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/presets/presets.h"
 #include "core/valve/remodel.h"
@@ -80,8 +81,11 @@ std::optional<SolvedLattice> solve_lattice(const LatticeCase& lattice, int threa
   solved.flat = std::make_shared<FlatSpace>(*solved.space);
   SearchMonitor monitor(0.0, context.cancelled, context.progress);
   const Evaluator evaluate = context.evaluate ? context.evaluate : closing_evaluator({});
-  PlanEvaluations evaluations(evaluate, lattice.valve,
-                              {threads, context.known, context.keep, {}, {}}, monitor);
+  PlanEvaluationOptions closing;
+  closing.threads = threads;
+  closing.known = context.known;
+  closing.keep = context.keep;
+  PlanEvaluations evaluations(evaluate, lattice.valve, std::move(closing), monitor);
   solved.before = evaluations.before();
   const auto [plans, numbers] = plans_of(*solved.space, *solved.flat, evaluations);
   for (const int number : numbers) solved.plans.push_back(std::max(0, number));
@@ -110,8 +114,11 @@ LatticeRun search_lattice(const SolvedLattice& lattice, const SearchOptions& opt
     return ClosedPlan{lattice.before, nullptr};  // asked for the unrepaired valve alone
   };
   SearchMonitor monitor(0.0, nullptr);
-  PlanEvaluations evaluations(evaluate, lattice.of.valve, {1, lattice.closures, {}, {}, {}},
-                              monitor);
+  PlanEvaluationOptions closing;
+  closing.threads = 1;
+  closing.known = lattice.closures;
+  closing.guide_by_price = true;  // as rivals are
+  PlanEvaluations evaluations(evaluate, lattice.of.valve, std::move(closing), monitor);
   SearchOptions alone = options;
   alone.threads = 1;
   const ExplorationState exploration = explore({evaluations, *lattice.space, alone, monitor});
