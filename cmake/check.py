@@ -25,6 +25,7 @@ from affected import ROOT, affected_rooms, changed_files, usual_base
 BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/", "words/")
 PRODUCT = ("core", "search", "io", "farm", "server", "clients")
 LAST_LINES = 60  # of what failed
+NEEDED = {"packages", "release"}  # by all that comes later
 
 
 @dataclass(frozen=True)
@@ -134,10 +135,10 @@ def tests_run(log, begun):
 
 
 class Run:
-    """Phases as they end; the first that fails ends the check."""
+    """Phases as they end. One that fails ends what cannot go without it, and no more: a check tells all that is wrong."""
 
     def __init__(self):
-        self.rows, self.endings, self.failed, self.printing = [], [], None, threading.Lock()
+        self.rows, self.endings, self.failed, self.printing = [], [], [], threading.Lock()
 
     def say(self, text):
         with self.printing:
@@ -159,7 +160,7 @@ class Run:
         if make.returncode == 0:
             self.say("{}: passed, {:.0f} s".format(*row))
         else:
-            self.failed = self.failed or phase.name
+            self.failed.append(phase.name)
             self.endings.append(
                 "\n".join([f"{phase.name}, the last lines of {log}:", *text.splitlines()[-LAST_LINES:]])
             )
@@ -167,8 +168,7 @@ class Run:
 
     def lane(self, phases):
         for phase in phases:
-            if self.failed is None:
-                self.phase(phase)
+            self.phase(phase)
 
     def stage(self, lanes):
         threads = [threading.Thread(target=self.lane, args=(phases,)) for phases in lanes]
@@ -207,6 +207,8 @@ def main():
     run, started = Run(), time.monotonic()
     for stage in plan:
         run.stage([[phase for phase in lane if chosen(phase)] for lane in stage])
+        if NEEDED & set(run.failed):
+            break
     # Again, because a long output may be cut in front.
     for ending in run.endings:
         print(f"\n{ending}")
@@ -218,8 +220,8 @@ def main():
         )
     )
     # Counts for whoever reads the last line alone.
-    print(f"\n{tests} passed, 0 failed" if run.failed is None else f"\nFAILED: {run.failed}")
-    return run.failed is not None
+    print(f"\nFAILED: {' '.join(run.failed)}" if run.failed else f"\n{tests} passed, 0 failed")
+    return bool(run.failed)
 
 
 if __name__ == "__main__":
