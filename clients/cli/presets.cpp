@@ -5,7 +5,6 @@
 
 #include "clients/cli/commands.h"
 #include "io/command_line/exit_code.h"
-#include "io/json/json.h"
 #include "io/json/preset_words.h"
 #include "io/json/version.h"
 
@@ -14,18 +13,15 @@ namespace {
 
 void print_json() {
   Json presets = Json::array();
-  for (const std::string& name : preset_names()) {
-    const PresetWords words = preset_words(name);
-    presets.push_back(
-        {{"name", name}, {"group", words.group}, {"title", words.title}, {"about", words.about}});
-  }
+  for (const std::string& name : preset_names()) presets.push_back(preset_words(name));
   std::cout << Json{{"presets", presets}, {"notice", kResearchNotice}}.dump(2) << '\n';
 }
 
 void print_text() {
   for (const std::string& name : preset_names()) {
-    const PresetWords words = preset_words(name);
-    std::cout << name << ": " << words.title << ". " << words.about << '\n';
+    const Json words = preset_words(name);
+    std::cout << name << ": " << words["title"].get<std::string>() << ". "
+              << words["about"].get<std::string>() << '\n';
   }
 }
 

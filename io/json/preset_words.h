@@ -4,18 +4,15 @@
 #include <string>
 #include <string_view>
 
-namespace coapt {
+#include "io/json/json.h"
 
-struct PresetWords {
-  std::string group;  ///< "Human", "Disease" or "Porcine"
-  std::string title;
-  std::string about;  ///< a sentence or two
-};
+namespace coapt {
 
 /// words/presets.json, as it was when coapt was built.
 std::string_view preset_words_text();
 
+/// name, group ("Human", "Disease" or "Porcine"), title, about (a sentence or two).
 /// @pre `name` is one of preset_names().
-PresetWords preset_words(const std::string& name);
+Json preset_words(const std::string& name);
 
 }  // namespace coapt

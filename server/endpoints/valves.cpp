@@ -102,12 +102,9 @@ Answer DeleteValve::operator()(const Request& request) const {
 Answer GetPresets::operator()(const Request& /*request*/) const {
   Json presets = Json::array();
   for (const std::string& name : preset_names()) {
-    const PresetWords words = preset_words(name);
-    presets.push_back({{"name", name},
-                       {"group", words.group},
-                       {"title", words.title},
-                       {"about", words.about},
-                       {"valve", "/v1/presets/" + name}});
+    Json preset = preset_words(name);
+    preset["valve"] = "/v1/presets/" + name;
+    presets.push_back(std::move(preset));
   }
   return json_answer(200, {{"presets", std::move(presets)}});
 }
