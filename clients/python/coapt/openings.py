@@ -17,8 +17,8 @@ class Opening:
     """A valve, opened (coapt.opening/2). None: not known, because it did not come to rest.
 
     >>> opening = coapt.preset("human-normal").open()
-    >>> opening.trusted, opening.opening_area_mm2 < opening.annulus_area_mm2, opening.flow_ml_s
-    (True, True, 155.0)
+    >>> opening.trusted, opening.opening_area_mm2 < opening.annulus_area_mm2, round(opening.flow_ml_s)
+    (True, True, 151)
     """
 
     name: str

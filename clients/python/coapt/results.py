@@ -41,7 +41,7 @@ class Evaluations:
     >>> [plan.rank for plan in scored.plans]
     [2, 1]
     >>> list(scored.to_frame()["description"])
-    ['', "annuloplasty: ring in the annulus's own shape, undersized by 2 sizes (transverse 44.0 to 40.0 mm)"]
+    ['', "annuloplasty: ring in the annulus's own shape, undersized by 2 sizes (transverse 33.0 to 29.0 mm)"]
     """
 
     before: Before
