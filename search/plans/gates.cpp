@@ -49,7 +49,7 @@ struct RingWidths {
   double label_mm;
 };
 
-RingWidths widths(const Annuloplasty& step, const Operation& operation) {
+RingWidths widths(const Annuloplasty& step, const SurgicalOperation& operation) {
   const double transverse = transverse_diameter_mm(operation.valve);
   if (const auto* own = std::get_if<OwnRing>(&step.ring)) {
     const double width = transverse - kRingSizeStep_mm * own->sizes_below;
@@ -61,7 +61,7 @@ RingWidths widths(const Annuloplasty& step, const Operation& operation) {
   return {transverse, ring_width_mm(*find_ring(ring.shape), ring.size_mm), ring.size_mm};
 }
 
-Gate ring_width(const Operation& operation) {
+Gate ring_width(const SurgicalOperation& operation) {
   Gate rule = gate("ring_width");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const RingWidths width = widths(ring, operation);
@@ -75,7 +75,7 @@ Gate ring_width(const Operation& operation) {
   return or_none(rule, "no ring");
 }
 
-Gate ring_stenosis(const Operation& operation) {
+Gate ring_stenosis(const SurgicalOperation& operation) {
   Gate rule = gate("ring_stenosis");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const double label = widths(ring, operation).label_mm;
@@ -90,7 +90,7 @@ Gate ring_stenosis(const Operation& operation) {
   return or_none(rule, "no ring");
 }
 
-Gate undersizing(const Operation& operation) {
+Gate undersizing(const SurgicalOperation& operation) {
   Gate rule = gate("undersizing");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const double sizes = ring_sizes_below(operation.valve, operation.repaired);
@@ -106,7 +106,7 @@ Gate undersizing(const Operation& operation) {
   return or_none(rule, "no ring");
 }
 
-Gate papillary_movement(const Operation& operation) {
+Gate papillary_movement(const SurgicalOperation& operation) {
   Gate rule = gate("papillary_movement");
   const Effort asked = effort(operation.valve, operation.repaired, operation.plan);
   const auto about = [&rule](double movement, Side side) {
@@ -126,7 +126,7 @@ Gate papillary_movement(const Operation& operation) {
 }
 
 /// apply_plan() refuses what this rule forbids.
-Gate suture_length(const Operation& operation) {
+Gate suture_length(const SurgicalOperation& operation) {
   Gate rule = gate("suture_length");
   for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
     tell(rule, GateSeverity::Pass,
@@ -135,7 +135,7 @@ Gate suture_length(const Operation& operation) {
   return or_none(rule, "no papillary suture");
 }
 
-Gate filling(const Operation& operation) {
+Gate filling(const SurgicalOperation& operation) {
   Gate rule = gate("filling");
   for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
     if (suture.anchor == Anchor::AnnulusPoint && suture.annulus_around > 0.5 &&
@@ -149,7 +149,7 @@ Gate filling(const Operation& operation) {
              : not_assessed("filling", "the flow that fills the ventricle is not simulated");
 }
 
-Gate neochorda_length(const Operation& operation) {
+Gate neochorda_length(const SurgicalOperation& operation) {
   Gate rule = gate("neochorda_length");
   for (const Neochorda& step : steps_of<Neochorda>(operation.plan)) {
     const bool usual = step.length_mm >= kUsualNeochordaMm.min - kGateRounding &&
@@ -161,7 +161,7 @@ Gate neochorda_length(const Operation& operation) {
   return or_none(rule, "no neochorda");
 }
 
-Gate neochorda_half(const Operation& operation) {
+Gate neochorda_half(const SurgicalOperation& operation) {
   Gate rule = gate("neochorda_half");
   for (const Neochorda& step : steps_of<Neochorda>(operation.plan))
     for (const PapillaryHead& head : operation.valve.heads) {
@@ -175,7 +175,7 @@ Gate neochorda_half(const Operation& operation) {
   return or_none(rule, "no neochorda");
 }
 
-Gate native_chordae(const Operation& operation) {
+Gate native_chordae(const SurgicalOperation& operation) {
   Gate rule = gate("native_chordae");
   const auto holds_edge = [&operation](const std::string& id) {
     return std::any_of(
@@ -214,7 +214,7 @@ const char* to_string(GateSeverity severity) {
   return "";
 }
 
-std::vector<Gate> operation_gates(const Operation& operation) {
+std::vector<Gate> operation_gates(const SurgicalOperation& operation) {
   return {ring_width(operation),         ring_stenosis(operation),  undersizing(operation),
           papillary_movement(operation), suture_length(operation),  filling(operation),
           neochorda_length(operation),   neochorda_half(operation), native_chordae(operation)};

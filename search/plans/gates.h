@@ -19,7 +19,7 @@ struct Gate {
   std::string source;   ///< of the rule
 };
 
-struct Operation {
+struct SurgicalOperation {
   const RepairPlan& plan;
   const Valve& valve;     ///< before
   const Valve& repaired;  ///< apply_plan() of these
@@ -30,7 +30,7 @@ struct Operation {
 /// "neochorda_length", "neochorda_half", "native_chordae". Always these, in this order; a rule
 /// without a subject passes.
 /// @pre apply_plan() accepts the plan.
-std::vector<Gate> operation_gates(const Operation& operation);
+std::vector<Gate> operation_gates(const SurgicalOperation& operation);
 
 /// Whether a rule rejects: a search does not try such a plan.
 bool is_rejected(const std::vector<Gate>& gates);
