@@ -7,8 +7,10 @@
 #include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
 #include "io/store/stored_valves.h"
+#include "operations/repair_request.h"
 #include "server/answers.h"
 #include "server/memory.h"
+#include "server/turns.h"
 
 namespace coapt {
 namespace {
@@ -35,19 +37,6 @@ Expected<Valve> found_valve(const ValveSource& source, const std::string& name) 
 
 }  // namespace
 
-Errors check_size(const Valve& valve, const ServiceLimits& limits) {
-  Errors errors;
-  const auto check = [&](const char* path, std::ptrdiff_t count, int most, const char* what) {
-    if (count <= most) return;
-    errors.push_back({ErrorCode::OutOfRange, path,
-                      "has " + std::to_string(count) + ' ' + what +
-                          ", this service takes at most " + std::to_string(most)});
-  };
-  check("/vertices_mm", valve.rest_mm.rows(), limits.vertices, "vertices");
-  check("/chordae", std::ssize(valve.chordae), limits.chordae, "chordae");
-  return errors;
-}
-
 Expected<Valve> named_valve(const ValveSource& source, const std::string& name) {
   if (const auto known = source.known.find(name)) return *known;
   Expected<Valve> valve = found_valve(source, name);
@@ -57,12 +46,10 @@ Expected<Valve> named_valve(const ValveSource& source, const std::string& name) 
 
 std::function<void(const JsonPlace&)> valve_field(const ValveSource& source, Valve& target) {
   return [&target, source](const JsonPlace& place) {
-    Expected<Valve> valve = place.value.is_string()
-                                ? named_valve(source, place.value.get<std::string>())
-                                : valve_from_json(place.value);
-    if (!valve) return add_below(place.problems, pointer(place), valve.errors());
-    add_below(place.problems, pointer(place), check_size(*valve, source.limits));
-    target = *std::move(valve);
+    const Context context{
+        .limits = operation_limits(source.limits),
+        .valve_named = [&](const std::string& name) { return named_valve(source, name); }};
+    valve_field(context, target)(place);
   };
 }
 
@@ -73,16 +60,23 @@ std::size_t most_values(const ServiceLimits& limits) {
 }
 
 std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
-                                const std::vector<JsonField>& fields) {
+                                const std::function<Errors(const Json&)>& read) {
   const Compute::Turn turn(source.parsing);
   if (!turn) return retry_later(503, "too many requests are read at once");
   const MayRunOut hungry;
   const Document request{parse_json(body, most_values(source.limits))};
   if (!request.json) return problem(400, request.json.errors());
-  ProblemList problems;
-  read_fields({*request.json, problems}, fields);
-  if (!problems.empty()) return problem(422, std::move(problems).take());
+  if (const Errors errors = read(*request.json); !errors.empty()) return problem(422, errors);
   return std::nullopt;
+}
+
+std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+                                const std::vector<JsonField>& fields) {
+  return read_body(source, body, [&fields](const Json& document) {
+    ProblemList problems;
+    read_fields({document, problems}, fields);
+    return std::move(problems).take();
+  });
 }
 
 }  // namespace coapt

@@ -15,9 +15,6 @@
 
 namespace coapt {
 
-/// What is said against a valve that is too large for the service; paths point into the valve.
-Errors check_size(const Valve& valve, const ServiceLimits& limits);
-
 /// Where requests have their valves from.
 struct ValveSource {
   const JobStore& store;
@@ -40,5 +37,9 @@ std::size_t most_values(const ServiceLimits& limits);
 /// every problem; 503 if too many are read at once.
 std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
                                 const std::vector<JsonField>& fields);
+
+/// The same for what `read` makes of the document: 422 with what it says against it.
+std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+                                const std::function<Errors(const Json&)>& read);
 
 }  // namespace coapt

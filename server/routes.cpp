@@ -1,18 +1,12 @@
 #include "server/routes.h"
 
-#include "server/endpoints/closures.h"
-#include "server/endpoints/diagnoses.h"
-#include "server/endpoints/evaluations.h"
-#include "server/endpoints/exports.h"
 #include "server/endpoints/health.h"
 #include "server/endpoints/imports.h"
 #include "server/endpoints/job_events.h"
 #include "server/endpoints/job_results.h"
 #include "server/endpoints/jobs.h"
 #include "server/endpoints/kept_plans.h"
-#include "server/endpoints/openings.h"
-#include "server/endpoints/physiology.h"
-#include "server/endpoints/preferences.h"
+#include "server/endpoints/operations.h"
 #include "server/endpoints/submissions.h"
 #include "server/endpoints/valves.h"
 #include "server/service.h"
@@ -24,10 +18,9 @@ Routes routes_of(const Service& service) {
                tokens, load] = service;
   const ValveSource valves{store, limits, known, parsing};
   const Submitting submitting{valves, jobs};
-  return {
+  Routes routes = {
       {"POST", "/v1/valves", PostValve{store, valves}},
       {"GET", "/v1/valves", GetValves{store, tokens}},
-      {"POST", "/v1/valves:validate", ValidateValve{valves}},
       {"POST", "/v1/valves:import", ImportValve{store, imports, compute}, true},
       {"GET", "/v1/valves/{id}", GetValve{valves}},
       {"DELETE", "/v1/valves/{id}", DeleteValve{store, known}},
@@ -41,16 +34,6 @@ Routes routes_of(const Service& service) {
       {"PATCH", "/v1/kept-plans/{id}", RenameKeptPlan{store, valves}},
       {"DELETE", "/v1/kept-plans/{id}", DeleteKeptPlan{store}},
 
-      {"POST", "/v1/closures", PostClosures{valves, compute}},
-      {"POST", "/v1/scenes", PostScenes{valves, compute}},
-      {"POST", "/v1/openings", PostOpenings{valves, compute}},
-      {"POST", "/v1/diagnoses", PostDiagnosis{valves, compute}},
-      {"POST", "/v1/physiology", PostPhysiology{valves, compute}},
-      {"POST", "/v1/evaluations", PostEvaluations{valves, compute}},
-      {"POST", "/v1/preferences", PostPreferences{valves, compute}},
-      {"POST", "/v1/reports", PostReports{valves, compute}},
-      {"POST", "/v1/exports", PostExports{valves, compute}},
-      {"POST", "/v1/pictures", PostPictures{valves, compute}},
       {"POST", "/v1/plans", PostPlans{submitting}},
       {"POST", "/v1/imports", PostImports{submitting, imports, compute}, true},
       {"POST", "/v1/imports:preview", PreviewImport{imports, compute}, true},
@@ -84,6 +67,11 @@ Routes routes_of(const Service& service) {
       {"GET", "/coapt-engine.wasm", GetPage{page}},
       {"GET", "/assets/{name}", GetPage{page}},
   };
+  // The trainer is the page's own, in the browser.
+  for (const Operation& operation : operations())
+    if (!std::string_view(operation.path).starts_with("/v1/training/"))
+      routes.push_back({"POST", operation.path, PostOperation{operation, valves, compute}});
+  return routes;
 }
 
 }  // namespace coapt

@@ -1,12 +1,13 @@
-#include <chrono>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/converge_option.h"
 #include "clients/cli/material_option.h"
@@ -16,20 +17,15 @@
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/server_option.h"
-#include "core/closed/accurate_closure.h"
 #include "core/closure/standing.h"
 #include "core/repair/apply_plan.h"
-#include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/progress_bar.h"
 #include "io/exchange/import_files.h"
 #include "io/json/model_study_json.h"
-#include "io/json/opening_json.h"
-#include "io/json/result_json.h"
 #include "io/mesh/write_mesh.h"
 #include "io/picture/opening_picture.h"
 #include "io/picture/picture.h"
-#include "search/plans/gates.h"
 #include "search/studies/model_study.h"
 
 namespace coapt {
@@ -50,140 +46,96 @@ struct CloseArguments {
 constexpr int kMostDraws = 1000;
 
 /// Adds the tissue's part of the leak's error, by as many draws as asked for.
-void add_tissue(const CloseArguments& arguments, const Valve& valve, const RepairPlan& plan,
-                const Valve& repaired, Json& json) {
+void add_tissue(const CloseArguments& arguments, const Valve& given, const RepairPlan& plan,
+                Json& json) {
+  const Valve valve = *with_material(given, values_of(arguments.material));
   ModelStudyOptions study;
   study.draws = arguments.draws;
   study.evaluate = closing_evaluator(arguments.closure, LeakBy::Surface);
   if (!plan.steps.empty()) study.unrepaired = &valve;
   const ProgressBar bar;
   study.progress = [&](int done, int planned) { bar.show(done, planned, "draws"); };
-  const ModelStudy drawn = study_model(repaired, study);
+  const ModelStudy drawn = study_model(*apply_plan(valve, plan), study);
   const std::optional<Interval> tissue = tissue_interval(drawn);
   json["leak"]["tissue"] = tissue ? Json{tissue->low, tissue->high} : Json();
   json["tissue_draws"] = tissue_draws_json(drawn);
 }
 
-/// Prints coapt.closure/2; returns an exit code.
-int show(const CloseArguments& arguments, const Json& closure) {
-  if (arguments.json) {
-    std::cout << closure.dump(2) << '\n';
-  } else {
-    print_closure(std::cout, closure);
-  }
-  return exit_code_of_closure(closure);
-}
-
-int run_by(const Service& service, const CloseArguments& arguments) {
-  auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
-  if (unsent) return unsent;
+/// What the arguments ask for, beside valve and plan.
+void add_options(const CloseArguments& arguments, Json& request) {
   if (is_given(arguments.material)) request["material"] = material_json(arguments.material);
-  if (const int failed = check_output(arguments.picture)) return failed;
-  const Expected<Json> closure = post_json(service, "/v1/closures", request);
-  if (!closure) return report_service_errors("close", closure.errors(), sources);
-  const int status = show(arguments, *closure);
-  if (arguments.picture.empty()) return status;
-  const Expected<std::string> picture = post(service, "/v1/pictures", request);
-  if (!picture) return report_service_errors("close", picture.errors(), sources);
-  const int failed = write_output(arguments.picture, *picture);
-  return failed != exit_code::kOk ? failed : status;
+  const ClosureOptions usual;
+  if (arguments.closure.method != usual.method)
+    request["method"] = to_string(arguments.closure.method);
+  if (arguments.closure.membrane != usual.membrane)
+    request["membrane"] = to_string(arguments.closure.membrane);
+  if (arguments.accuracy_mm2) request["accuracy_mm2"] = *arguments.accuracy_mm2;
+  if (arguments.converge.wanted) request["converge"] = converge_json(arguments.converge);
+  if (arguments.open) request["open"] = true;
 }
 
-/// Writes the leaflets where --closed says, if it does; returns an exit code.
-int write_closed(const CloseArguments& arguments, const Valve& valve,
-                 const ClosureResult& closure) {
-  if (arguments.closed.empty()) return exit_code::kOk;
-  const Expected<std::string> mesh = write_mesh(leaflet_mesh(valve, closure.closed_mm),
-                                                format_of(arguments.closed), doubt_about(closure));
+/// What is wrong with the request in the words of the command line.
+int report_close(const Errors& errors, const std::map<std::string, std::string>& sources) {
+  constexpr std::string_view kMaterial = "/material";
+  Errors told = errors;
+  for (Error& error : told)
+    if (error.path.starts_with(kMaterial)) error.path.erase(0, kMaterial.size());
+  return report_refusal("close", told, sources,
+                        {{"/accuracy_mm2", "--accuracy"}, {"/pressure_mmhg", "--pressure"}});
+}
+
+/// The leaflets where --closed says; returns an exit code.
+int write_closed(const CloseArguments& arguments, const ClosedValve& closed) {
+  const Expected<std::string> mesh =
+      write_mesh(leaflet_mesh(closed.valve, closed.closure.closed_mm), format_of(arguments.closed),
+                 doubt_about(closed.closure));
   if (!mesh) return report_errors(arguments.closed, mesh.errors());
-  note_doubt(arguments.closed, closure);
+  note_doubt(arguments.closed, closed.closure);
   return write_output(arguments.closed, *mesh);
 }
 
-/// A valve that is not mitral: closed and measured; no plans, no picture.
-int run_leaflets(const CloseArguments& arguments, const Valve& valve, ClosureOptions options) {
-  if (is_given(arguments.plan) || is_given(arguments.material) || !arguments.picture.empty() ||
-      arguments.open || arguments.accuracy_mm2 || arguments.draws > 0)
-    return report_errors(
-        arguments.valve,
-        {{ErrorCode::Unsupported, "/schema",
-          "is coapt.valve/2: plans, pictures, pressure, tissue, --open, --draws and --accuracy "
-          "need a mitral valve (coapt.valve/1)"}});
-  if (const int failed = check_output(arguments.closed)) return failed;
-  const auto start = std::chrono::steady_clock::now();
-  const ClosureResult closure = close_valve(valve, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  auto json = closure_to_json(valve, closure, measure(valve, closure), seconds.count());
-  json["warnings"] = Json::array();
-  const int status = show(arguments, json);
-  const int failed = write_closed(arguments, valve, closure);
-  return failed != exit_code::kOk ? failed : status;
+/// What was closed here, for what else is made of it.
+struct ClosedHere {
+  std::optional<ClosedValve> closed;
+  std::string diastole;  ///< a line for the picture
+};
+
+Expected<std::string> picture_of(const CloseArguments& arguments,
+                                 const std::optional<Service>& service, const ClosedHere& made) {
+  if (!service) return closure_picture_png(*made.closed, made.diastole);
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (is_given(arguments.material)) asked.request["material"] = material_json(arguments.material);
+  if (arguments.open) asked.request["open"] = true;
+  const Expected<OperationAnswer> picture = ask(service, "picture", asked.request, asked.here);
+  if (!picture) return picture.errors();
+  return std::get<AnswerFile>(*picture).bytes;
 }
 
-int run(const CloseArguments& arguments) {
-  ClosureOptions options = arguments.closure;
-  if (options.method == Method::Thesis) options.samples = kThesisSamples;
-  Expected<Valve> valve = read_any_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  if (!is_mitral(*valve)) return run_leaflets(arguments, *valve, arguments.closure);
-  valve = with_material(*valve, values_of(arguments.material));
-  if (!valve)
-    return report_option_errors("close", valve.errors(), {{"/pressure_mmhg", "--pressure"}});
-  const Expected<RepairPlan> plan = read_plan_option(arguments.plan, &*valve);
-  if (!plan) return report_errors(source_of(arguments.plan), plan.errors());
-  const Expected<Valve> repaired = apply_plan(*valve, *plan);
-  if (!repaired) return report_errors(source_of(arguments.plan), repaired.errors());
+int run(const CloseArguments& arguments, const std::optional<Service>& service) {
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (asked.failed) return asked.failed;
+  add_options(arguments, asked.request);
   for (const std::string& output : {arguments.picture, arguments.closed})
     if (const int failed = check_output(output)) return failed;
-  if (arguments.accuracy_mm2 && options.method != Method::Fast)
-    return report_option_errors("close",
-                                {{ErrorCode::Unsupported, "/accuracy",
-                                  "is known for method fast only; leave out --method thesis"}});
-
-  const auto start = std::chrono::steady_clock::now();
-  std::optional<TimedConvergence> finer;
-  std::optional<AccurateClosure> accurate;
-  if (arguments.converge.wanted) finer = converge(*repaired, arguments.converge, options);
-  if (arguments.accuracy_mm2) {
-    Expected<AccurateClosure> within = close_within(*repaired, *arguments.accuracy_mm2, options);
-    if (!within) return report_option_errors("close", within.errors());
-    accurate = *std::move(within);
-  }
-  ClosedValve closed = finer      ? finer->convergence.finest
-                       : accurate ? accurate->closed
-                                  : close_and_measure(*repaired, options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  closed = with_repair(std::move(closed), *valve, *plan);
-  const ClosureResult& closure = closed.closure;
-
-  std::optional<OpenedValve> opened;
-  const auto opening_start = std::chrono::steady_clock::now();
-  if (arguments.open) {
-    Expected<OpenedValve> open = open_valve(*repaired);
-    if (!open) return report_errors(arguments.valve, open.errors());
-    opened = *std::move(open);
-  }
-  const std::chrono::duration<double> opening_seconds =
-      std::chrono::steady_clock::now() - opening_start;
-
-  std::vector<std::string> warnings = warnings_of(operation_gates({*plan, *valve, *repaired}));
-  if (opened)
-    for (std::string& warning : opening_warnings(*opened)) warnings.push_back(std::move(warning));
-
-  auto json = closure_to_json(closed.valve, closure, closed.measure, seconds.count());
-  if (arguments.draws > 0) add_tissue(arguments, *valve, *plan, *repaired, json);
-  if (finer) json["convergence"] = std::move(finer->json);
-  if (opened) json["opening"] = opening_figures_json(*opened, opening_seconds.count());
-  if (accurate) json["accuracy"] = to_json(*accurate, *arguments.accuracy_mm2);
-  json["warnings"] = warnings;
-  const int status = show(arguments, json);
-  if (const int failed = write_closed(arguments, *repaired, closure)) return failed;
+  ClosedHere made;
+  asked.here.closed = [&](const ClosedValve& closed) { made.closed = closed; };
+  asked.here.opened = [&](const OpenedValve& opened) { made.diastole = opening_line(opened); };
+  Expected<Json> closure = ask_document(service, "close", asked.request, asked.here);
+  if (!closure) return report_close(closure.errors(), asked.sources);
+  if (arguments.draws > 0)
+    add_tissue(arguments, *asked.here.valve_named(arguments.valve), made.closed->plan, *closure);
+  if (arguments.json)
+    std::cout << closure->dump(2) << '\n';
+  else
+    print_closure(std::cout, *closure);
+  if (!arguments.closed.empty())
+    if (const int failed = write_closed(arguments, *made.closed)) return failed;
   if (!arguments.picture.empty()) {
-    if (const int failed = write_output(
-            arguments.picture, closure_picture_png(closed, opened ? opening_line(*opened) : "")))
-      return failed;
+    const Expected<std::string> picture = picture_of(arguments, service, made);
+    if (!picture) return report_refusal("close", picture.errors(), asked.sources);
+    if (const int failed = write_output(arguments.picture, *picture)) return failed;
   }
-  return status;
+  return exit_code_of_closure(*closure);
 }
 
 }  // namespace
@@ -235,14 +187,8 @@ void add_close(Command parent, int& status) {
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
   command.on_run([arguments, command, &status] {
-    const auto service = service_of(
-        command, arguments->server,
-        {"--method", "--membrane", "--accuracy", "--open", "--converge", "--closed", "--draws"});
-    if (!service) {
-      status = report_errors("close", service.errors());
-    } else {
-      status = *service ? run_by(**service, *arguments) : run(*arguments);
-    }
+    const auto service = service_of(command, arguments->server, {"--closed", "--draws"});
+    status = service ? run(*arguments, *service) : report_errors("close", service.errors());
   });
 }
 

@@ -1,10 +1,6 @@
 #include "clients/cli/converge_option.h"
 
-#include <chrono>
 #include <limits>
-#include <vector>
-
-#include "io/json/result_json.h"
 
 namespace coapt {
 
@@ -27,25 +23,10 @@ void add_converge_option(Command command, ConvergeOption& option) {
       .needs(converge);
 }
 
-TimedConvergence converge(const Valve& valve, const ConvergeOption& option,
-                          const ClosureOptions& closure) {
-  using Clock = std::chrono::steady_clock;
-  MeshConvergenceOptions options;
-  options.closure = closure;
-  options.most_vertices = option.most_vertices;
-  if (option.within_mm2) {
-    options.within_mm2 = *option.within_mm2;
-    options.within_share = 0.0;
-  }
-  std::vector<double> seconds;
-  Clock::time_point started = Clock::now();
-  MeshConvergence convergence = close_until_settled(valve, options, [&](const MeshLevel&) {
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - started).count());
-    started = Clock::now();
-  });
-  Json json = to_json(convergence, options);
-  for (std::size_t i = 0; i < seconds.size(); ++i) json["levels"][i]["seconds"] = seconds[i];
-  return {std::move(convergence), std::move(json)};
+Json converge_json(const ConvergeOption& option) {
+  Json json = {{"most_vertices", option.most_vertices}};
+  if (option.within_mm2) json["within_mm2"] = *option.within_mm2;
+  return json;
 }
 
 }  // namespace coapt

@@ -18,13 +18,7 @@ struct ConvergeOption {
 /// --converge, --within, --most-vertices.
 void add_converge_option(Command command, ConvergeOption& option);
 
-struct TimedConvergence {
-  MeshConvergence convergence;
-  Json json;  ///< see to_json(const MeshConvergence&)
-};
-
-/// Of `valve`, each level timed.
-TimedConvergence converge(const Valve& valve, const ConvergeOption& option,
-                          const ClosureOptions& closure);
+/// For a request's "converge".
+Json converge_json(const ConvergeOption& option);
 
 }  // namespace coapt

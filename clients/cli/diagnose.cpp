@@ -1,21 +1,17 @@
 #include <iostream>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
-#include "clients/cli/print.h"
 #include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/server_option.h"
-#include "core/closed/closed_valve.h"
-#include "core/closure/standing.h"
-#include "core/opened/opened_valve.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
-#include "io/json/diagnosis_json.h"
 
 namespace coapt {
 namespace {
@@ -47,40 +43,21 @@ void print_diagnosis(std::ostream& out, const Json& diagnosis) {
       << ".\nThresholds and their sources: --json\n";
 }
 
-int show(const DiagnoseArguments& arguments, const Json& diagnosis) {
-  if (arguments.json)
-    std::cout << diagnosis.dump(2) << '\n';
-  else
-    print_diagnosis(std::cout, diagnosis);
-  return exit_code::kOk;
-}
-
-int run_by(const Service& service, const DiagnoseArguments& arguments) {
-  auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
-  if (unsent) return unsent;
-  const Expected<Json> diagnosis = post_json(service, "/v1/diagnoses", request);
-  if (!diagnosis) return report_service_errors("diagnose", diagnosis.errors(), sources);
-  return show(arguments, *diagnosis);
-}
-
-/// NaN if it did not open.
-double opening_area_mm2(const Valve& valve) {
-  const Expected<OpenedValve> opened = open_valve(valve);
-  return opened ? opened->measure.opening_area_mm2 : std::numeric_limits<double>::quiet_NaN();
-}
-
-int run(const DiagnoseArguments& arguments) {
-  const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
-  if (planned.failed) return planned.failed;
-  const ClosedValve closed = close_and_measure(planned.repaired);
-  const auto diagnosis =
-      diagnose(closed.valve, closed.closure, closed.measure, opening_area_mm2(planned.repaired));
+int run(const DiagnoseArguments& arguments, const std::optional<Service>& service) {
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (asked.failed) return asked.failed;
+  const Expected<Json> diagnosis = ask_document(service, "diagnose", asked.request, asked.here);
   if (!diagnosis) {
-    std::cerr << "coapt diagnose: " << arguments.valve
-              << ": the closed valve says nothing: " << doubt_about(closed.closure) << '\n';
-    return exit_code::kNotClosed;
+    const int status = report_refusal("diagnose", diagnosis.errors(), asked.sources);
+    const Error& first = diagnosis.errors().front();
+    const bool closes = first.code != ErrorCode::BadGeometry || !first.path.empty();
+    return closes ? status : exit_code::kNotClosed;
   }
-  return show(arguments, diagnosis_document(*diagnosis, closed.valve));
+  if (arguments.json)
+    std::cout << diagnosis->dump(2) << '\n';
+  else
+    print_diagnosis(std::cout, *diagnosis);
+  return exit_code::kOk;
 }
 
 }  // namespace
@@ -104,10 +81,7 @@ void add_diagnose(Command parent, int& status) {
       "  coapt diagnose valve.json --plan examples/plans/ring.json    # what a repair leaves");
   command.on_run([arguments, command, &status] {
     const auto service = service_of(command, arguments->server, {});
-    if (!service)
-      status = report_errors("diagnose", service.errors());
-    else
-      status = *service ? run_by(**service, *arguments) : run(*arguments);
+    status = service ? run(*arguments, *service) : report_errors("diagnose", service.errors());
   });
 }
 

@@ -1,9 +1,11 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_store_option.h"
 #include "clients/cli/print_ranked.h"
@@ -58,22 +60,6 @@ int read_plans(const EvaluateArguments& arguments, const Valve* valve,
   return status;
 }
 
-/// Each error with the file of its plan.
-int report_plan_errors(const std::vector<NamedPlan>& plans, const Errors& errors) {
-  for (Error error : errors) {
-    std::string source = "evaluate";
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-      const std::string path = "/plans/" + std::to_string(i) + "/";
-      if (!error.path.starts_with(path)) continue;
-      source = plans[i].name;
-      error.path.erase(0, path.size() - 1);
-      break;
-    }
-    report_errors(source, {error});
-  }
-  return exit_code::kBadInput;
-}
-
 /// Prints coapt.plans/2; returns an exit code.
 int show(const EvaluateArguments& arguments, Json result) {
   for (Json& plan : result["plans"]) plan["file"] = plan["name"];
@@ -107,44 +93,34 @@ Json ranking_of(const Json& answer, const std::vector<NamedPlan>& plans) {
   return result;
 }
 
-/// The files of a request's plans, by their pointers.
-std::map<std::string, std::string> sources_of(const std::string& valve,
-                                              const std::vector<NamedPlan>& plans) {
-  std::map<std::string, std::string> sources = {{"/valve", valve}};
-  for (std::size_t i = 0; i < plans.size(); ++i)
-    sources["/plans/" + std::to_string(i)] = plans[i].name;
-  return sources;
-}
-
 /// As many as were asked for; where something was observed of the valve and none were, as many as it takes to be weighed by it.
 int draws_of(const EvaluateArguments& arguments, bool observed) {
   return !arguments.draws_given && observed ? kConditionedDraws : arguments.options.model_draws;
 }
 
-int run_by(const Service& service, const EvaluateArguments& arguments) {
-  if (const int failed = check_output(arguments.report)) return failed;
-  const Expected<Json> valve = valve_to_send(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  std::vector<NamedPlan> plans;
-  const Expected<Valve> known =
-      arguments.rings.empty() ? Expected<Valve>(Errors{{}}) : read_valve_argument(arguments.valve);
-  if (const int failed = read_plans(arguments, known ? &*known : nullptr, plans)) return failed;
-  Json request = {{"valve", *valve},
-                  {"plans", Json::array()},
-                  {"region_points", arguments.options.region_points},
-                  {"evidence", !arguments.no_evidence},
-                  {"model_draws", draws_of(arguments, valve->contains("observed"))}};
-  for (const NamedPlan& plan : plans) request["plans"].push_back(to_json(plan.plan));
-  const Expected<Json> answer = post_json(service, "/v1/evaluations", request);
-  if (!answer)
-    return report_service_errors("evaluate", answer.errors(), sources_of(arguments.valve, plans));
-  const int status = show(arguments, ranking_of(*answer, plans));
-  if (arguments.report.empty()) return status;
-  const Expected<std::string> report = post(service, "/v1/reports", request);
-  if (!report)
-    return report_service_errors("evaluate", report.errors(), sources_of(arguments.valve, plans));
-  const int failed = write_output(arguments.report, *report);
-  return failed != exit_code::kOk ? failed : status;
+/// The request of the plans; or an exit code.
+AskedRequest asked_plans(const EvaluateArguments& arguments, const std::optional<Service>& service,
+                         std::vector<NamedPlan>& plans) {
+  AskedRequest asked = asked_repair(arguments.valve, {}, service);
+  if (asked.failed) return asked;
+  Expected<Valve> known =
+      Errors{{}};  // what rings are sized for, and whether something was observed
+  if (!service)
+    known = asked.here.valve_named(arguments.valve);
+  else if (!arguments.rings.empty())
+    known = read_valve_argument(arguments.valve);
+  if (const int failed = read_plans(arguments, known ? &*known : nullptr, plans))
+    return {.failed = failed};
+  const Json& valve = asked.request["valve"];
+  const bool observed = service ? valve.contains("observed") : !known->observed.empty();
+  asked.request["plans"] = Json::array();
+  asked.request["region_points"] = arguments.options.region_points;
+  asked.request["evidence"] = !arguments.no_evidence;
+  asked.request["model_draws"] = draws_of(arguments, observed);
+  for (const NamedPlan& plan : plans) asked.request["plans"].push_back(to_json(plan.plan));
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    asked.sources["/plans/" + std::to_string(i)] = plans[i].name;
+  return asked;
 }
 
 std::string command_line(const EvaluateArguments& arguments) {
@@ -155,31 +131,49 @@ std::string command_line(const EvaluateArguments& arguments) {
   return arguments.no_evidence ? line + " --no-evidence" : line;
 }
 
-int run(EvaluateArguments arguments) {
+int run(const EvaluateArguments& arguments, const std::optional<Service>& service) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  std::vector<NamedPlan> plans;
-  if (const int failed = read_plans(arguments, &*valve, plans)) return failed;
   if (const int failed = check_output(arguments.report)) return failed;
-  arguments.options.evidence = !arguments.no_evidence;
-  arguments.options.fine_levels = 0;  // as the service scores
-  arguments.options.model_draws = draws_of(arguments, !valve->observed.empty());
-  SearchContext context{.cancelled = &interrupted};
-  const auto store = use_store(arguments.store, *valve, arguments.options.closure, context);
-  if (!store) return report_store_errors("evaluate", store.errors());
+  std::vector<NamedPlan> plans;
+  AskedRequest asked = asked_plans(arguments, service, plans);
+  if (asked.failed) return asked.failed;
+  std::shared_ptr<PlanStore> store;
+  std::string report;
+  int unusable = exit_code::kOk;
   const auto evaluate = [&] {
     const ProgressBar bar;
-    context.progress = [&](const SearchProgress& progress) { show(bar, progress); };
-    return evaluate_plans(*valve, plans, arguments.options, context);
+    asked.here.limits.threads = arguments.options.threads;
+    asked.here.searches = [&](const Valve& valve, const SearchOptions& options,
+                              SearchContext& context) -> Errors {
+      context.cancelled = &interrupted;
+      context.progress = [&](const SearchProgress& progress) { show(bar, progress); };
+      const auto opened = use_store(arguments.store, valve, options.closure, context);
+      if (!opened) {
+        unusable = report_store_errors("evaluate", opened.errors());
+        return opened.errors();
+      }
+      store = *opened;
+      return {};
+    };
+    asked.here.scored = [&](const SearchRequest& request, const SearchResult& result) {
+      if (arguments.report.empty()) return;
+      SearchRequest as = request;
+      as.command = command_line(arguments);
+      report = plan_report_html(result, as);
+    };
+    return ask_document(service, "evaluate", asked.request, asked.here);
   };
-  const Expected<SearchResult> result = evaluate();
-  if (!result) return report_plan_errors(plans, result.errors());
-  const int status = show(arguments, to_json(*result));
+  const Expected<Json> answer = evaluate();
+  if (unusable) return unusable;
+  if (!answer) return report_refusal("evaluate", answer.errors(), asked.sources);
+  const int status = show(arguments, ranking_of(*answer, plans));
   if (arguments.report.empty()) return status;
-  const SearchRequest request{arguments.options, subject_of(*valve, arguments.options.closure),
-                              command_line(arguments)};
-  const int failed = write_output(arguments.report, plan_report_html(*result, request));
+  if (service) {
+    const Expected<OperationAnswer> made = ask(service, "report", asked.request, asked.here);
+    if (!made) return report_refusal("evaluate", made.errors(), asked.sources);
+    report = std::get<AnswerFile>(*made).bytes;
+  }
+  const int failed = write_output(arguments.report, report);
   return failed != exit_code::kOk ? failed : status;
 }
 
@@ -221,11 +215,7 @@ void add_evaluate(Command parent, int& status) {
   command.on_run([arguments, command, &status] {
     const auto service = service_of(command, arguments->server, {"--store", "--threads"});
     arguments->draws_given = command.has("--model-draws");
-    if (!service) {
-      status = report_errors("evaluate", service.errors());
-    } else {
-      status = *service ? run_by(**service, *arguments) : run(*arguments);
-    }
+    status = service ? run(*arguments, *service) : report_errors("evaluate", service.errors());
   });
 }
 

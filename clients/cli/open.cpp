@@ -1,8 +1,9 @@
-#include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/method_option.h"
 #include "clients/cli/plan_option.h"
@@ -13,10 +14,9 @@
 #include "core/closure/standing.h"
 #include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
-#include "io/json/opening_json.h"
+#include "io/json/plan_json.h"
 #include "io/mesh/write_mesh.h"
 #include "io/picture/opening_picture.h"
-#include "search/plans/gates.h"
 
 namespace coapt {
 namespace {
@@ -29,56 +29,46 @@ struct OpenArguments {
   bool json = false;
 };
 
-/// Prints coapt.opening/2; returns an exit code.
-int show(const OpenArguments& arguments, const Json& opening) {
-  if (arguments.json)
-    std::cout << opening.dump(2) << '\n';
-  else
-    print_opening(std::cout, opening);
-  return exit_code_of_closure(opening);
+/// The leaflets where --opened says; returns an exit code.
+int write_opened(const OpenArguments& arguments, const OpenedValve& opened) {
+  const Expected<std::string> mesh =
+      write_mesh(leaflet_mesh(opened.valve, opened.closure.closed_mm), format_of(arguments.opened),
+                 doubt_about(opened.closure));
+  if (!mesh) return report_errors(arguments.opened, mesh.errors());
+  return write_output(arguments.opened, *mesh);
 }
 
-int run_by(const Service& service, const OpenArguments& arguments) {
-  auto [unsent, request, sources] = repair_to_send(arguments.valve, arguments.plan);
-  if (unsent) return unsent;
+int run(const OpenArguments& arguments, const std::optional<Service>& service) {
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (asked.failed) return asked.failed;
   const OpeningOptions& options = arguments.options;
-  if (options.pressure_mmhg) request["pressure_mmhg"] = *options.pressure_mmhg;
-  if (options.flow_ml_s) request["flow_ml_s"] = *options.flow_ml_s;
-  request["exercise"] = options.exercise;
-  Expected<Json> opening = post_json(service, "/v1/openings", request);
-  if (!opening) return report_service_errors("open", opening.errors(), sources);
-  opening->erase("scene");
-  return show(arguments, *opening);
-}
-
-int run(const OpenArguments& arguments) {
-  const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
-  if (planned.failed) return planned.failed;
+  if (options.pressure_mmhg) asked.request["pressure_mmhg"] = *options.pressure_mmhg;
+  if (options.flow_ml_s) asked.request["flow_ml_s"] = *options.flow_ml_s;
+  asked.request["exercise"] = options.exercise;
   for (const std::string& output : {arguments.opened, arguments.picture})
     if (const int failed = check_output(output)) return failed;
-  const auto start = std::chrono::steady_clock::now();
-  const Expected<OpenedValve> opened = open_valve(planned.repaired, arguments.options);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (!opened)
-    return report_option_errors(
-        "open", opened.errors(),
-        {{"/pressure_mmhg", "--pressure"}, {"/flow_ml_s", "--flow"}, {"/exercise", "--exercise"}});
-  auto json = opening_to_json(*opened, seconds.count());
-  json["warnings"] = warnings_of(operation_gates({planned.plan, planned.valve, planned.repaired}));
-  for (const std::string& warning : opening_warnings(*opened)) json["warnings"].push_back(warning);
-  const int status = show(arguments, json);
-  if (!arguments.opened.empty()) {
-    const Expected<std::string> mesh =
-        write_mesh(leaflet_mesh(opened->valve, opened->closure.closed_mm),
-                   format_of(arguments.opened), doubt_about(opened->closure));
-    if (!mesh) return report_errors(arguments.opened, mesh.errors());
-    if (const int failed = write_output(arguments.opened, *mesh)) return failed;
-  }
-  if (!arguments.picture.empty())
-    if (const int failed = write_output(arguments.picture,
-                                        opening_picture_png(*opened, planned.valve, planned.plan)))
+  std::optional<OpenedValve> opened;
+  asked.here.opened = [&](const OpenedValve& made) { opened = made; };
+  Expected<Json> opening = ask_document(service, "open", asked.request, asked.here);
+  if (!opening)
+    return report_refusal("open", opening.errors(), asked.sources,
+                          {{"/pressure_mmhg", "--pressure"}, {"/flow_ml_s", "--flow"}});
+  opening->erase("scene");
+  if (arguments.json)
+    std::cout << opening->dump(2) << '\n';
+  else
+    print_opening(std::cout, *opening);
+  if (!arguments.opened.empty())
+    if (const int failed = write_opened(arguments, *opened)) return failed;
+  if (!arguments.picture.empty()) {
+    const Expected<RepairPlan> plan =
+        asked.request.contains("plan") ? plan_from_json(asked.request["plan"]) : RepairPlan();
+    if (const int failed = write_output(
+            arguments.picture,
+            opening_picture_png(*opened, *asked.here.valve_named(arguments.valve), *plan)))
       return failed;
-  return status;
+  }
+  return exit_code_of_closure(*opening);
 }
 
 }  // namespace
@@ -118,11 +108,7 @@ void add_open(Command parent, int& status) {
       "  coapt open human-functional-mr --plan examples/plans/ring.json --json");
   command.on_run([arguments, command, &status] {
     const auto service = service_of(command, arguments->server, {"--render", "--opened"});
-    if (!service) {
-      status = report_errors("open", service.errors());
-    } else {
-      status = *service ? run_by(**service, *arguments) : run(*arguments);
-    }
+    status = service ? run(*arguments, *service) : report_errors("open", service.errors());
   });
 }
 

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/plan_arguments.h"
@@ -33,7 +34,7 @@ int report_refused_search(const PlanArguments& arguments, const Errors& errors) 
     (is_option ? of_options : others).push_back(error);
   }
   report_search_errors(arguments, of_options);
-  return report_service_errors("plan", others, {{"/valve", arguments.valve}});
+  return report_refusal("plan", others, {{"/valve", arguments.valve}});
 }
 
 int run_by(const Service& service, const Command& command, PlanArguments arguments) {
@@ -47,14 +48,14 @@ int run_by(const Service& service, const Command& command, PlanArguments argumen
   if (!job) return report_refused_search(arguments, job.errors());
   Expected<Json> result = get_json(service, job->path + "/result");
   if (!result) {
-    const int failed = report_service_errors("plan", result.errors(), {});
+    const int failed = report_refusal("plan", result.errors(), {});
     return job->state == "CANCELLED" ? exit_code::kInterrupted : failed;
   }
   (*result)["reproduce"]["command"] = command_line(arguments);
   const int status = show_plans(arguments, *result);
   if (arguments.report.empty()) return status;
   const Expected<std::string> report = get(service, job->path + "/report");
-  if (!report) return report_service_errors("plan", report.errors(), {});
+  if (!report) return report_refusal("plan", report.errors(), {});
   const int failed = write_output(arguments.report, *report);
   return failed != exit_code::kOk ? failed : status;
 }

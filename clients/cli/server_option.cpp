@@ -9,9 +9,7 @@
 
 #include "clients/cli/read_argument.h"
 #include "core/valve/problem_list.h"
-#include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
-#include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
 
 namespace coapt {
@@ -112,36 +110,6 @@ Expected<Json> valve_to_send(const std::string& argument) {
   const Expected<Valve> valve = read_valve_argument(argument);
   if (!valve) return valve.errors();
   return Json::parse(write_valve(*valve));
-}
-
-RepairToSend repair_to_send(const std::string& valve, const PlanOption& plan) {
-  const Expected<Json> sent = valve_to_send(valve);
-  if (!sent) return {.failed = report_errors(valve, sent.errors())};
-  const Expected<Valve> known =
-      plan.ring.empty() ? Expected<Valve>(Errors{{}}) : read_valve_argument(valve);
-  const Expected<RepairPlan> repair = read_plan_option(plan, known ? &*known : nullptr);
-  if (!repair) return {.failed = report_errors(source_of(plan), repair.errors())};
-  RepairToSend asked{0, {{"valve", *sent}}, {{"/valve", valve}, {"/plan", source_of(plan)}}};
-  if (is_given(plan)) asked.request["plan"] = to_json(*repair);
-  return asked;
-}
-
-int report_service_errors(const std::string& command, const Errors& errors,
-                          const std::map<std::string, std::string>& sources) {
-  int status = exit_code::kBadInput;
-  for (Error error : errors) {
-    std::string source = command;
-    for (const auto& [pointer, file] : sources) {
-      if (error.path != pointer && !error.path.starts_with(pointer + "/")) continue;
-      source = file;
-      error.path.erase(0, pointer.size());
-    }
-    report_errors(source, {error});
-    if (error.code == ErrorCode::InputOutput || error.code == ErrorCode::Busy ||
-        error.code == ErrorCode::NoSpace)
-      status = exit_code::kFailure;
-  }
-  return status;
 }
 
 }  // namespace coapt

@@ -1,14 +1,11 @@
 // --server: the work is done by a coapt-server.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "clients/cli/plan_option.h"
 #include "clients/cli/service.h"
-#include "core/repair/plan.h"
 #include "io/command_line/command_line.h"
 
 namespace coapt {
@@ -29,19 +26,5 @@ Expected<std::optional<Service>> service_of(const Command& command, const Server
 /// A valve for a request: a file (or "-") is checked here and sent; any other word is the service's preset, or the id of
 /// a valve that it has stored.
 Expected<Json> valve_to_send(const std::string& argument);
-
-struct RepairToSend {
-  int failed = 0;  ///< an exit code; what is wrong was said on standard error
-  Json request{};  ///< "valve", and "plan" if there is one
-  std::map<std::string, std::string> sources{};  ///< for report_service_errors()
-};
-
-/// valve_to_send() with the plan of a command.
-RepairToSend repair_to_send(const std::string& valve, const PlanOption& plan);
-
-/// Prints every error as report_errors() does, those below a member of `sources` (pointer into the request, file) with
-/// that file. Returns an exit code: kFailure for what is not the request's fault.
-int report_service_errors(const std::string& command, const Errors& errors,
-                          const std::map<std::string, std::string>& sources);
 
 }  // namespace coapt

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/read_argument.h"
@@ -80,12 +81,12 @@ Json request_of(const StudyArguments& arguments) {
 int fetch_files(const Service& service, const ServiceJob& job, const std::string& directory) {
   namespace fs = std::filesystem;
   const Expected<Json> listed = get_json(service, job.path + "/files");
-  if (!listed) return report_service_errors("study", listed.errors(), {});
+  if (!listed) return report_refusal("study", listed.errors(), {});
   for (const Json& file : listed->at("files")) {
     // Only its last part: a service must not write elsewhere.
     const std::string name = fs::path(file.at("name").get<std::string>()).filename().string();
     const Expected<std::string> content = get(service, job.path + "/files/" + name);
-    if (!content) return report_service_errors("study", content.errors(), {});
+    if (!content) return report_refusal("study", content.errors(), {});
     if (const int failed = write_output((fs::path(directory) / name).string(), *content))
       return failed;
   }
@@ -103,14 +104,14 @@ int run_by(const Service& service, StudyArguments arguments) {
   choose_protocols(arguments);
   const Json request = {{"valve", *valve}, {"study", request_of(arguments)}};
   const Expected<ServiceJob> job = run_job(service, "/v1/studies", request, interrupted);
-  if (!job) return report_service_errors("study", job.errors(), {{"/valve", arguments.valve}});
+  if (!job) return report_refusal("study", job.errors(), {{"/valve", arguments.valve}});
   if (job->state == "CANCELLED") {
     std::cerr << "coapt: study: cancelled; the service keeps its closures: request it again to "
                  "continue\n";
     return exit_code::kInterrupted;
   }
   Expected<Json> study = get_json(service, job->path + "/result");
-  if (!study) return report_service_errors("study", study.errors(), {});
+  if (!study) return report_refusal("study", study.errors(), {});
   if (const int failed = fetch_files(service, *job, arguments.directory)) return failed;
   const Json findings = (*study)["findings"];
   (*study)["findings"] = findings.size();

@@ -1,14 +1,15 @@
-#include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
-#include "core/valve/number_text.h"
 #include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/command_line/progress_bar.h"
 #include "io/json/physiology_json.h"
 
@@ -18,51 +19,53 @@ namespace {
 struct StudyPhysiologyArguments {
   std::string valve, kind, species;
   PlanOption plan;
-  PhysiologyOptions study;
+  ServerOption server;
+  int threads = 0;
   bool json = false;
 };
 
-TableRows table_of(const Physiology& physiology) {
-  TableRows rows = {{"quantity", "value", "low", "high", "unit", "verdict"}};
-  for (const PhysiologyRow& row : physiology.rows)
-    rows.push_back({row.quantity->what, figure_cell(row.value),
-                    row.range != nullptr ? figure_cell(row.range->low) : "",
-                    row.range != nullptr ? figure_cell(row.range->high) : "", row.quantity->unit,
-                    to_string(row.verdict)});
-  return rows;
+std::string figure_of(const Json& figure) {
+  return figure.is_null() ? "" : figure_cell(figure.get<double>());
 }
 
-void print_physiology(const Physiology& physiology, const std::string& name) {
-  std::cout << name << ": " << to_string(physiology.kind)
-            << (physiology.kind_judged ? " (judged), " : ", ") << to_string(physiology.species)
-            << (physiology.species_judged ? " (judged)" : "") << "\n\n";
-  print_table(std::cout, table_of(physiology));
+/// Of coapt.physiology/1.
+void print_physiology(const Json& physiology) {
+  const auto judged = [&](const std::string& name) {
+    return physiology[name].get<std::string>() +
+           (physiology[name + "_judged"].get<bool>() ? " (judged)" : "");
+  };
+  std::cout << physiology["valve"].get<std::string>() << ": " << judged("kind") << ", "
+            << judged("species") << "\n\n";
+  TableRows table = {{"quantity", "value", "low", "high", "unit", "verdict"}};
   int met = 0, with_range = 0;
-  for (const PhysiologyRow& row : physiology.rows) {
-    if (row.range != nullptr) ++with_range;
-    if (row.verdict == PhysiologyVerdict::Met) ++met;
+  for (const Json& row : physiology["rows"]) {
+    table.push_back({row["what"], row["value"].is_null() ? "-" : figure_of(row["value"]),
+                     figure_of(row["low"]), figure_of(row["high"]), row["unit"], row["verdict"]});
+    if (!row["low"].is_null()) ++with_range;
+    if (row["verdict"] == to_string(PhysiologyVerdict::Met)) ++met;
   }
+  print_table(std::cout, table);
   std::cout << '\n' << met << " of " << with_range << " ranges met. Sources: --json\n";
 }
 
-int run(StudyPhysiologyArguments arguments) {
-  const PlannedValve given = read_planned_valve(arguments.valve, arguments.plan);
-  if (given.failed) return given.failed;
-  for (const ValveKind kind : kValveKinds)
-    if (arguments.kind == to_string(kind)) arguments.study.kind = kind;
-  for (const Species species : kSpecies)
-    if (arguments.species == to_string(species)) arguments.study.species = species;
+int run(const StudyPhysiologyArguments& arguments, const std::optional<Service>& service) {
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (asked.failed) return asked.failed;
+  if (!arguments.kind.empty()) asked.request["kind"] = arguments.kind;
+  if (!arguments.species.empty()) asked.request["species"] = arguments.species;
+  asked.here.limits.threads = arguments.threads;
   const auto study_it = [&] {
     const ProgressBar bar;
-    arguments.study.progress = [&](int done, int planned) { bar.show(done, planned, "trials"); };
-    return study_physiology(given.repaired, arguments.study);
+    asked.here.progress = [&](int done, int planned) { bar.show(done, planned, "trials"); };
+    return ask_document(service, "physiology", asked.request, asked.here);
   };
-  const Physiology physiology = study_it();
+  const Expected<Json> physiology = study_it();
+  if (!physiology) return report_refusal("study physiology", physiology.errors(), asked.sources);
   if (arguments.json)
-    std::cout << to_json(physiology, given.repaired).dump(2) << '\n';
+    std::cout << physiology->dump(2) << '\n';
   else
-    print_physiology(physiology, given.valve.name);
-  const bool closed = std::isfinite(physiology.rows.front().value);
+    print_physiology(*physiology);
+  const bool closed = !(*physiology)["rows"].front()["value"].is_null();
   return closed ? exit_code::kOk : exit_code::kNotClosed;
 }
 
@@ -90,18 +93,22 @@ void add_study_physiology(Command parent, int& status) {
       .add_option("--species", arguments->species,
                   "Whose ranges hold; left out: porcine if the valve's name says so, else human")
       .one_of(names_of(kSpecies));
-  command
-      .add_option("--threads", arguments->study.threads, "0: all cores; does not change the answer")
+  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
       .check(number_from(0, 1024))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON, with the source of each range");
+  add_server_option(command, arguments->server);
   command.footer(
       "Exit code 3 if the valve did not close. A row is met, below or above its range, unknown (a "
       "closure\nor opening failed), or without a range for this kind of valve.\n\n"
       "Examples:\n"
       "  coapt study physiology human-normal\n"
       "  coapt study physiology valve.json --kind functional --json");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server, {"--threads"});
+    status =
+        service ? run(*arguments, *service) : report_errors("study physiology", service.errors());
+  });
 }
 
 }  // namespace coapt

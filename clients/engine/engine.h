@@ -15,8 +15,8 @@ struct EngineAnswer {
   Points closed_mm = {};
 };
 
-/// The service's own answers (server/openapi.json) to POST /v1/closures, /v1/scenes, /v1/openings and /v1/valves:validate,
-/// and to GET /v1/rings, with an empty body, and /version. A valve comes as a document, not by name; 404 for any other path.
+/// The service's own answers (server/openapi.json): to the requests of valve_operations(), and to GET /v1/rings, with an empty
+/// body, and /version. A valve comes as a document, not by name; 404 for any other path.
 ///
 /// What the service does not have, the trainer (docs/training.md): POST /v1/training/cases {"valve", "exam": "A" or "B", "seed"}
 /// answers coapt.training_case/1 with its shapes; /v1/training/exams {"schedule", "seed", "first_case"} coapt.training_exam/1;

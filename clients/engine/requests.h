@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,11 +13,6 @@ namespace coapt {
 
 EngineAnswer json_answer(int status, Json object, Points closed_mm = {});
 EngineAnswer problem(int status, const Errors& errors);
-/// 422, of errors whose paths begin below `path` of the body.
-EngineAnswer problem_below(const std::string& path, const Errors& errors);
-
-/// A body of these fields; or its refusal.
-std::optional<EngineAnswer> read_body(std::string_view body, const std::vector<JsonField>& fields);
 
 /// A body of "valve", "plan" and "material" (optional) and the fields `more`; or its refusal.
 std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& asked,

@@ -76,10 +76,6 @@ JsonField frames_field(int& frames) {
       false};
 }
 
-Json closure_answer(const RepairRequest& asked, const ClosureResult& closure, double seconds) {
-  return closure_answer(asked, closure, measure(asked.repaired, closure), seconds);
-}
-
 Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
                     const ValveMeasure& measured, double seconds) {
   Json json = closure_to_json(asked.repaired, closure, measured, seconds);
@@ -87,11 +83,11 @@ Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
   return json;
 }
 
-Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
+Json scene_answer(const RepairRequest& asked, const ClosedValve& closed, int frames,
                   double seconds) {
-  const ValveMeasure measured = measure(asked.repaired, closure);
-  Json scene = scene_to_json({asked.repaired, closure, measured.leak, asked.plan, frames});
-  scene["closure"] = closure_answer(asked, closure, measured, seconds);
+  Json scene = scene_to_json(
+      {asked.repaired, closed.closure, closed.measure.leak, asked.plan, frames});
+  scene["closure"] = closure_answer(asked, closed.closure, closed.measure, seconds);
   return scene;
 }
 

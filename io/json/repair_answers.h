@@ -1,9 +1,8 @@
 // What closing, drawing and opening a repaired valve answer, as JSON: the service's and the browser's engine's.
 #pragma once
 
-#include "core/metrics/measure.h"
+#include "core/closed/closed_valve.h"
 #include "core/opened/opened_valve.h"
-#include "core/repair/plan.h"
 #include "core/valve/dimension_table.h"
 #include "io/json/json_reader.h"
 
@@ -30,12 +29,11 @@ std::vector<JsonField> opening_fields(OpeningOptions& options);
 JsonField frames_field(int& frames);
 
 /// coapt.closure/2, with the warnings of the operation. `measured`: measure(asked.repaired, closure)
-Json closure_answer(const RepairRequest& asked, const ClosureResult& closure, double seconds);
 Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
                     const ValveMeasure& measured, double seconds);
 
 /// coapt.scene/2, with that as "closure".
-Json scene_answer(const RepairRequest& asked, const ClosureResult& closure, int frames,
+Json scene_answer(const RepairRequest& asked, const ClosedValve& closed, int frames,
                   double seconds);
 
 /// coapt.opening/2, with the warnings of the operation and "scene".

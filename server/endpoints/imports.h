@@ -3,7 +3,7 @@
 
 #include "server/endpoints/submissions.h"
 #include "server/jobs/import_reading.h"
-#include "server/request_closures.h"
+#include "server/turns.h"
 
 namespace coapt {
 

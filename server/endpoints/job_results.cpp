@@ -6,12 +6,13 @@
 #include "io/exchange/formats.h"
 #include "io/json/plan_json.h"
 #include "io/picture/picture.h"
+#include "operations/export.h"
 #include "server/answers.h"
-#include "server/endpoints/exports.h"
+#include "server/endpoints/operations.h"
 #include "server/jobs/closure_keeping.h"
 #include "server/jobs/plan_job.h"
 #include "server/query.h"
-#include "server/request_closures.h"
+#include "server/turns.h"
 
 namespace coapt {
 namespace {
@@ -135,11 +136,12 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
   return answer_in_turn(
-      compute, limits, request, cost_of(repair.after), [&](RequestClosures& closures) {
-        return valve_file_answer(
-            with_repair(closures.close_and_measure(repair.after, {.motion = true}), repair.before,
-                        repair.plan),
-            *format);
+      compute, limits, request, cost_of(repair.after.rest_mm.rows()), [&](Context& context) {
+        const Expected<ClosedValve> closed = context.close(repair.after, {.motion = true});
+        if (!closed) return refusal(closed.errors());
+        Expected<AnswerFile> file =
+            exported_file(with_repair(*closed, repair.before, repair.plan), *format);
+        return file ? file_answer(*std::move(file)) : refusal(file.errors());
       });
 }
 
@@ -147,11 +149,14 @@ Answer GetPlanPicture::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
   return answer_in_turn(
-      compute, limits, request, cost_of(repair.after), [&](RequestClosures& closures) {
-        const ClosedValve before = closures.close_and_measure(repair.before);
-        const ClosedValve after =
-            with_repair(closures.close_and_measure(repair.after), repair.before, repair.plan);
-        return Answer{200, Content{"image/png", comparison_picture_png(before, after)}};
+      compute, limits, request, cost_of(repair.after.rest_mm.rows()), [&](Context& context) {
+        const Expected<ClosedValve> before = context.close(repair.before);
+        if (!before) return refusal(before.errors());
+        const Expected<ClosedValve> after = context.close(repair.after);
+        if (!after) return refusal(after.errors());
+        return Answer{200, Content{"image/png",
+                                   comparison_picture_png(
+                                       *before, with_repair(*after, repair.before, repair.plan))}};
       });
 }
 

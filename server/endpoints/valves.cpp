@@ -11,6 +11,7 @@
 #include "server/content_id.h"
 #include "server/jobs/job_board.h"
 #include "server/query.h"
+#include "server/turns.h"
 
 namespace coapt {
 namespace {
@@ -27,7 +28,7 @@ Read read_valve_body(const ValveSource& source, const Request& request) {
   if (!json) return {Valve{}, problem(400, json.errors())};
   Expected<Valve> valve = valve_from_json(*json);
   if (valve)
-    if (const Errors errors = check_size(*valve, source.limits); !errors.empty())
+    if (const Errors errors = check_size(*valve, operation_limits(source.limits)); !errors.empty())
       return {errors, std::nullopt};
   return {std::move(valve), std::nullopt};
 }
@@ -75,13 +76,6 @@ Answer GetValves::operator()(const Request& request) const {
   return json_answer(200,
                      {{"valves", std::move(list)},
                       {"next_page_token", next_page_token(request, tokens, page->next_before)}});
-}
-
-Answer ValidateValve::operator()(const Request& request) const {
-  const auto [valve, refusal] = read_valve_body(valves, request);
-  if (refusal) return *refusal;
-  return json_answer(
-      200, {{"valid", bool(valve)}, {"problems", to_json(valve ? Errors{} : valve.errors())}});
 }
 
 Answer GetValve::operator()(const Request& request) const {

@@ -26,12 +26,6 @@ struct GetValves {
   Answer operator()(const Request& request) const;
 };
 
-/// POST /v1/valves:validate, the same body: every problem, nothing stored.
-struct ValidateValve {
-  ValveSource valves;
-  Answer operator()(const Request& request) const;
-};
-
 /// GET /v1/valves/{id} and /v1/presets/{name}: coapt.valve/1.
 struct GetValve {
   ValveSource valves;

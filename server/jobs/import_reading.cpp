@@ -11,6 +11,7 @@
 #include "io/picture/import_picture.h"
 #include "server/base64.h"
 #include "server/json_body.h"
+#include "server/turns.h"
 
 namespace coapt {
 namespace {
@@ -155,7 +156,7 @@ std::optional<Answer> valve_of(ImportStep step, const Json& body, const ServiceL
   if (!made && budget.is_cancelled()) return std::nullopt;
   if (!made) return problem(422, made.errors());
   if (!was_taken)
-    if (const Errors errors = check_size(made->valve, limits); !errors.empty())
+    if (const Errors errors = check_size(made->valve, operation_limits(limits)); !errors.empty())
       return problem(422, errors);
   Expected<LeafletMesh> surface = LeafletMesh{};
   if (asked.fit) surface = fit_surface(asked, *made);

@@ -1,9 +1,7 @@
 // Closures, scenes, files and pictures: what is answered at once of a valve and a plan.
-#include "server/endpoints/closures.h"
 
 #include "io/exchange/formats.h"
 #include "io/json/result_json.h"
-#include "server/endpoints/exports.h"
 #include "tests/server/endpoints/service_scene.h"
 
 namespace coapt {

@@ -1,4 +1,3 @@
-#include "server/endpoints/evaluations.h"
 
 #include "search/conditioning.h"
 #include "tests/server/endpoints/service_scene.h"

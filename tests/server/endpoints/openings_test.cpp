@@ -1,4 +1,3 @@
-#include "server/endpoints/openings.h"
 
 #include "io/json/opening_json.h"
 #include "tests/server/endpoints/service_scene.h"

@@ -1,4 +1,3 @@
-#include "server/endpoints/physiology.h"
 
 #include "core/repair/apply_plan.h"
 #include "core/valve/pressure_unit.h"

@@ -1,4 +1,3 @@
-#include "server/endpoints/preferences.h"
 
 #include "search/plans/cost_terms.h"
 #include "tests/server/endpoints/service_scene.h"

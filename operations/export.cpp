@@ -1,13 +1,12 @@
-#include "server/endpoints/exports.h"
+// Writes a closed valve, repaired if there is a plan, as a file that other programs open.
+#include "operations/export.h"
 
 #include <algorithm>
 
-#include "core/closure/closure.h"
 #include "core/valve/problem_list.h"
 #include "io/image/image_geometry.h"
-#include "io/picture/picture.h"
-#include "server/answers.h"
-#include "server/repair_request.h"
+#include "operations/repair_request.h"
+#include "operations/table.h"
 
 namespace coapt {
 namespace {
@@ -63,49 +62,47 @@ ImageGeometry read_grid(const JsonPlace& place) {
   return grid;
 }
 
-/// The header that says whether what is shown of a closed valve counts.
-std::pair<std::string, std::string> closure_header(const ClosureResult& closure) {
-  return {"Coapt-Closure", closure.crossing ? "crossing" : to_string(closure.status)};
+struct ExportRequest {
+  RepairRequest repair{};
+  const FileFormat* format = nullptr;
+  ExportOptions options{};
+};
+
+Expected<OperationAnswer> write_export(const ExportRequest& asked, Context& context) {
+  const auto& [before, plan, repaired, material] = asked.repair;
+  const Expected<ClosedValve> closed = context.close(repaired, {.motion = true});
+  if (!closed) return closed.errors();
+  Expected<AnswerFile> file =
+      exported_file(with_repair(*closed, before, plan), *asked.format, asked.options);
+  if (!file) return file.errors();
+  return OperationAnswer(*std::move(file));
 }
 
 }  // namespace
 
-Answer PostExports::operator()(const Request& request) const {
-  const FileFormat* format = nullptr;
-  ExportOptions options;
-  return answer_repair(valves, compute, request,
-                       {{"format", into(format, read_format)},
-                        {"open", into(options.open, read_boolean), false},
-                        {"frame", into(options.frame, read_frame), false},
-                        {"grid", into(options.grid, read_grid), false}},
-                       [&](const RepairRequest& asked, RequestClosures& closures) {
-                         return valve_file_answer(with_repair(closures.close_and_measure(
-                                                                  asked.repaired, {.motion = true}),
-                                                              asked.valve, asked.plan),
-                                                  *format, options);
-                       });
+std::string closure_name(const ClosureResult& closure) {
+  return closure.crossing ? "crossing" : to_string(closure.status);
 }
 
-Answer PostPictures::operator()(const Request& request) const {
-  return answer_repair(
-      valves, compute, request, {}, [](const RepairRequest& asked, RequestClosures& closures) {
-        const ClosedValve closed =
-            with_repair(closures.close_and_measure(asked.repaired), asked.valve, asked.plan);
-        return Answer{200,
-                      Content{"image/png", closure_picture_png(closed)},
-                      {closure_header(closed.closure)}};
-      });
-}
-
-Answer valve_file_answer(const ClosedValve& exported, const FileFormat& format,
-                         const ExportOptions& options) {
+Expected<AnswerFile> exported_file(const ClosedValve& exported, const FileFormat& format,
+                                   const ExportOptions& options) {
   Expected<std::string> bytes = write_valve_file(exported, format, options);
-  if (!bytes) return problem(422, bytes.errors());
-  return {
-      200,
-      Content{format.media_type, *std::move(bytes)},
-      {{"Content-Disposition", std::string("attachment; filename=\"valve.") + format.name + '"'},
-       closure_header(exported.closure)}};
+  if (!bytes) return bytes.errors();
+  return AnswerFile{format.media_type, *std::move(bytes), std::string("valve.") + format.name,
+                    closure_name(exported.closure)};
+}
+
+Expected<OperationTask> read_export(const Json& request, const Context& context) {
+  const auto asked = std::make_shared<ExportRequest>();
+  if (Errors errors = read_repair(request, context,
+                                  {{"format", into(asked->format, read_format)},
+                                   {"open", into(asked->options.open, read_boolean), false},
+                                   {"frame", into(asked->options.frame, read_frame), false},
+                                   {"grid", into(asked->options.grid, read_grid), false}},
+                                  asked->repair);
+      !errors.empty())
+    return errors;
+  return task_of(asked, 1, write_export);
 }
 
 }  // namespace coapt

@@ -1,11 +1,9 @@
-#include "server/endpoints/preferences.h"
-
+// The next pair of plans to compare, and what the comparisons so far say of the weights. Answers coapt.preference/1.
 #include <algorithm>
 
 #include "io/json/answers_json.h"
 #include "io/json/preference_json.h"
-#include "server/answers.h"
-#include "server/request_closures.h"
+#include "operations/table.h"
 
 namespace coapt {
 namespace {
@@ -46,32 +44,40 @@ std::vector<PlanCase> read_cases_of_plans(const JsonPlace& place) {
   return cases;
 }
 
+struct PreferRequest {
+  std::vector<PlanCase> cases{};
+  std::vector<GivenAnswer> answers{};
+  bool hide_figures = false;
+};
+
+Expected<OperationAnswer> learn(const PreferRequest& asked, Context& /*context*/) {
+  const PreferencePosterior posterior = posterior_of(asked.cases, asked.answers);
+  const PosteriorDraws draws = draw(posterior);
+  Json json = {{"schema", "coapt.preference/1"},
+               {"question", nullptr},
+               {"first_places", first_places_to_json(asked.cases, draws)},
+               {"learned", learned_to_json(asked.cases, asked.answers, posterior)}};
+  if (const auto question = next_question(asked.cases, asked.answers, draws))
+    json["question"] = to_json(*question, asked.cases, asked.hide_figures);
+  return OperationAnswer(std::move(json));
+}
+
 }  // namespace
 
-Answer PostPreferences::operator()(const Request& request) const {
-  std::vector<PlanCase> cases;
-  std::vector<GivenAnswer> answers;
-  bool hide_figures = false;
-  const auto read_all_answers = [&](const JsonPlace& place) {
-    if (place.problems.empty()) answers = read_answers(place, cases);  // else they name nothing
-    check_count(place, answers, 0, kMostAnswers);
+Expected<OperationTask> read_prefer(const Json& request, const Context& /*context*/) {
+  PreferRequest asked;
+  const auto read_all_answers = [&asked](const JsonPlace& place) {
+    // Else they name nothing.
+    if (place.problems.empty()) asked.answers = read_answers(place, asked.cases);
+    check_count(place, asked.answers, 0, kMostAnswers);
   };
-  if (auto refused = read_body(valves, request.body,
-                               {{"cases", into(cases, read_cases_of_plans)},
-                                {"answers", read_all_answers},
-                                {"hide_figures", into(hide_figures, read_boolean), false}}))
-    return *std::move(refused);
-  return answer_in_turn(compute, valves.limits, request, TurnCost::Short, [&](RequestClosures&) {
-    const PreferencePosterior posterior = posterior_of(cases, answers);
-    const PosteriorDraws draws = draw(posterior);
-    Json json = {{"schema", "coapt.preference/1"},
-                 {"question", nullptr},
-                 {"first_places", first_places_to_json(cases, draws)},
-                 {"learned", learned_to_json(cases, answers, posterior)}};
-    if (const auto question = next_question(cases, answers, draws))
-      json["question"] = to_json(*question, cases, hide_figures);
-    return json_answer(200, json);
-  });
+  ProblemList problems;
+  read_fields({request, problems},
+              {{"cases", into(asked.cases, read_cases_of_plans)},
+               {"answers", read_all_answers},
+               {"hide_figures", into(asked.hide_figures, read_boolean), false}});
+  if (!problems.empty()) return std::move(problems).take();
+  return OperationTask{0, 1, [asked](Context& context) { return learn(asked, context); }};
 }
 
 }  // namespace coapt

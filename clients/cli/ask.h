@@ -1,0 +1,40 @@
+// An operation that a command asks for: run here, or by the service of --server. The same request, answered with the same document.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "clients/cli/plan_option.h"
+#include "clients/cli/server_option.h"
+#include "operations/operation.h"
+
+namespace coapt {
+
+/// A request, and what its parts came from, for report_refusal().
+struct AskedRequest {
+  int failed = 0;  ///< an exit code; what is wrong was said on standard error
+  Json request{};
+  std::map<std::string, std::string> sources{};  ///< by pointers into the request: files
+  Context here{};  ///< of what is run here: knows the valve that the request names
+};
+
+/// Of a command's valve, mitral or not, and plan: "valve", and "plan" if there is one.
+AskedRequest asked_repair(const std::string& valve, const PlanOption& plan,
+                          const std::optional<Service>& service);
+
+/// @param operation its name. Errors: of the request, with pointers into it; InputOutput, Busy or NoSpace where the service failed.
+Expected<OperationAnswer> ask(const std::optional<Service>& service, const char* operation,
+                              const Json& request, Context& here);
+
+/// The same for an operation that answers a document.
+Expected<Json> ask_document(const std::optional<Service>& service, const char* operation,
+                            const Json& request, Context& here);
+
+/// Prints every error as report_errors() does: those below a pointer of `sources` with that file, others as options of the
+/// command ("/accuracy_mm2" as `options` says, else as "--accuracy-mm2"). Returns an exit code: kFailure for what is not the request's fault.
+int report_refusal(const std::string& command, const Errors& errors,
+                   const std::map<std::string, std::string>& sources,
+                   const std::map<std::string, std::string>& options = {});
+
+}  // namespace coapt

@@ -1,0 +1,67 @@
+#include "operations/context.h"
+
+#include <utility>
+
+#include "core/valve/number_text.h"
+
+namespace coapt {
+namespace {
+
+// Who has closed a half of the connection may still wait for an answer, but not for long.
+constexpr double kPatience_s = 1.0;
+
+}  // namespace
+
+Errors check_size(const Valve& valve, const OperationLimits& limits) {
+  Errors errors;
+  const auto check = [&](const char* path, std::ptrdiff_t count, int most, const char* what) {
+    if (count <= most) return;
+    errors.push_back({ErrorCode::OutOfRange, path,
+                      "has " + std::to_string(count) + ' ' + what +
+                          ", this service takes at most " + std::to_string(most)});
+  };
+  check("/vertices_mm", valve.rest_mm.rows(), limits.vertices, "vertices");
+  check("/chordae", std::ssize(valve.chordae), limits.chordae, "chordae");
+  return errors;
+}
+
+Expected<ClosedValve> Context::close(const Valve& valve, ClosureOptions options) {
+  options.budget = budget();
+  ClosureResult closure = close_valve(valve, options);
+  if (closure.unfinished) return refusal();
+  const ValveMeasure measured = measure(valve, closure);
+  return ClosedValve{valve, std::move(closure), measured};
+}
+
+Expected<OpenedValve> Context::open(const Valve& valve, OpeningOptions options) {
+  options.budget = budget();
+  Expected<OpenedValve> opened_valve = open_valve(valve, options);
+  if (opened_valve && opened_valve->closure.unfinished) return refusal();
+  return opened_valve;
+}
+
+ClosureBudget Context::budget() {
+  return {limits.vertex_steps, [this] { return cancelled(); }};
+}
+
+bool Context::cancelled() {
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+  over = over || seconds.count() > limits.seconds ||
+         (seconds.count() > kPatience_s && abandoned && abandoned());
+  return over;
+}
+
+Error Context::refusal() const {
+  if (over)
+    return {ErrorCode::Busy, "",
+            "took longer than " + shown(limits.seconds) +
+                " s: ask for fewer plans or region_points at once, search as a job "
+                "(POST /v1/plans), or close, study or import the valve offline "
+                "(coapt close, coapt study, coapt valve import)"};
+  return {ErrorCode::OutOfRange, "",
+          "the closure takes more than " + shown(limits.vertex_steps) +
+              " steps times vertices, the limit of this service: use a coarser mesh or "
+              "softer chordae, or close the valve offline (coapt close)"};
+}
+
+}  // namespace coapt

@@ -1,0 +1,159 @@
+// Scores and ranks plans of one's own as a search scores its finalists. Answers one of coapt.plans/2 with the plans in the order
+// asked, each with its "index" and "rank"; or the report on them, one HTML page.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "io/json/plan_json.h"
+#include "io/json/plans_json.h"
+#include "io/picture/report.h"
+#include "io/store/subject.h"
+#include "operations/repair_request.h"
+#include "operations/table.h"
+#include "search/plans/plan_key.h"
+#include "search/plans/plan_search.h"
+#include "search/plans/ranking.h"
+
+namespace coapt {
+namespace {
+
+std::vector<RepairPlan> read_plans(const JsonPlace& place) {
+  return read_list(place, [](const JsonPlace& entry) {
+    RepairPlan plan;
+    document(plan, plan_from_json)(entry);
+    return plan;
+  });
+}
+
+constexpr double kUsualTriangles = 650.0;
+constexpr std::size_t kMostReported = 10, kAnyNumber = std::numeric_limits<std::size_t>::max();
+
+/// How much a closure costs against one of a valve of the usual size, roughly.
+double size_of(const Valve& valve) {
+  return static_cast<double>(valve.faces.rows()) / kUsualTriangles;
+}
+
+/// Ranked plans in the order asked; a plan that was asked for twice twice.
+Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) {
+  const Json json = to_json(result);
+  Json plans = Json::array();
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const std::string key = plan_key(asked[i]);
+    const auto found = std::find_if(result.plans.begin(), result.plans.end(),
+                                    [&](const RankedPlan& r) { return plan_key(r.plan) == key; });
+    if (found == result.plans.end()) continue;  // the search was stopped before it
+    Json plan = {{"index", i}};
+    plan.update(json["plans"][static_cast<std::size_t>(found - result.plans.begin())]);
+    plan.erase("name");
+    plans.push_back(std::move(plan));
+  }
+  Json answer = {
+      {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
+  answer["plans"] = std::move(plans);
+  for (const char* name :
+       {"stop", "diagnosis", "any_competent", "verdict", "model_draws", "ladder", "plans_tried", "closures",
+        "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
+    answer[name] = json[name];
+  return answer;
+}
+
+struct EvaluateRequest {
+  Valve valve{};
+  std::vector<RepairPlan> plans{};
+  SearchOptions options{};
+  std::ptrdiff_t closures = 0;  ///< that scoring takes
+};
+
+Errors read_asked(const Json& request, const Context& context, EvaluateRequest& asked) {
+  SearchOptions& options = asked.options;
+  options.threads = context.limits.threads;
+  options.evidence = false;
+  options.region_points = 1;
+  options.fine_levels = 0;
+  options.model_draws = 0;
+  if (std::isfinite(context.limits.seconds)) options.seconds = context.limits.seconds;
+  const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
+  const auto draws = [](const JsonPlace& place) { return read_integer_in(place, 0, 200); };
+  ProblemList problems;
+  const std::vector<JsonField> fields = {
+      {"valve", valve_field(context, asked.valve)},
+      {"plans", into(asked.plans, read_plans)},
+      {"region_points", into(options.region_points, points), false},
+      {"evidence", into(options.evidence, read_boolean), false},
+      {"model_draws", into(options.model_draws, draws), false}};
+  read_fields({request, problems}, fields);
+  if (!problems.empty()) return std::move(problems).take();
+  const int drawn =
+      most_draw_closures(asked.valve, static_cast<int>(asked.plans.size()), options.model_draws);
+  asked.closures = std::ssize(asked.plans) * options.region_points + drawn;
+  if (options.evidence)
+    for (const RepairPlan& plan : asked.plans) asked.closures += evidence_closures(plan);
+  const auto most =
+      static_cast<std::ptrdiff_t>(context.limits.closures / std::max(1.0, size_of(asked.valve)));
+  if (asked.closures > most)
+    problems.add(ErrorCode::OutOfRange, "/plans",
+                 "has " + std::to_string(asked.plans.size()) + " plans of " +
+                     std::to_string(options.region_points) + " region_points" +
+                     (options.evidence ? " and evidence" : "") +
+                     (drawn > 0 ? " and model_draws" : "") + ", together " +
+                     std::to_string(asked.closures) + " closures; must be at most " +
+                     std::to_string(most) + " for a valve of this size");
+  return std::move(problems).take();
+}
+
+SearchRequest request_of(const EvaluateRequest& asked) {
+  return {asked.options, subject_of(asked.valve, asked.options.closure), ""};
+}
+
+Expected<SearchResult> score(const EvaluateRequest& asked, Context& context) {
+  SearchOptions options = asked.options;
+  options.closure.budget.cancelled = [&context] { return context.cancelled(); };
+  std::vector<NamedPlan> named;
+  for (const RepairPlan& plan : asked.plans) named.push_back({"", plan});
+  SearchContext within;
+  if (context.searches)
+    if (Errors errors = context.searches(asked.valve, options, within); !errors.empty())
+      return errors;
+  Expected<SearchResult> result = evaluate_plans(asked.valve, named, options, within);
+  if (result && context.cancelled()) return context.refusal();
+  if (result && context.scored) context.scored(request_of(asked), *result);
+  return result;
+}
+
+/// The task that `write(asked, result)` is.
+template <class Write>
+Expected<OperationTask> scoring(const Json& request, const Context& context, std::size_t most_plans,
+                                Write write) {
+  const auto asked = std::make_shared<EvaluateRequest>();
+  if (Errors errors = read_asked(request, context, *asked); !errors.empty()) return errors;
+  if (asked->plans.size() > most_plans)
+    return Error{ErrorCode::OutOfRange, "/plans",
+                 "has " + std::to_string(asked->plans.size()) + " plans; must be at most " +
+                     std::to_string(most_plans)};
+  return OperationTask{asked->valve.rest_mm.rows(), asked->closures,
+                       [asked, write](Context& within) -> Expected<OperationAnswer> {
+                         const Expected<SearchResult> result = score(*asked, within);
+                         if (!result) return result.errors();
+                         return write(*asked, *result);
+                       }};
+}
+
+}  // namespace
+
+Expected<OperationTask> read_evaluate(const Json& request, const Context& context) {
+  return scoring(request, context, kAnyNumber,
+                 [](const EvaluateRequest& asked, const SearchResult& result) -> OperationAnswer {
+                   return in_order(result, asked.plans);
+                 });
+}
+
+Expected<OperationTask> read_report(const Json& request, const Context& context) {
+  return scoring(
+      request, context, kMostReported,
+      [](const EvaluateRequest& asked, const SearchResult& result) -> OperationAnswer {
+        return AnswerFile{"text/html; charset=utf-8", plan_report_html(result, request_of(asked))};
+      });
+}
+
+}  // namespace coapt

@@ -1,0 +1,53 @@
+// What coapt does on request: one operation, whoever asks for it.
+//
+// An operation reads a request, a JSON object, and answers with a document or a file. It knows no HTTP, no queue, no options of a
+// command line and no threads but the search's; who carries its requests does (doors): the command line, the service, Python, the
+// page's engine in a browser.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "io/json/json.h"
+#include "operations/context.h"
+
+namespace coapt {
+
+/// Bytes of some other kind than JSON.
+struct AnswerFile {
+  std::string type;  ///< "image/png"
+  std::string bytes;
+  std::string name = {};  ///< to be saved under; empty: to be shown
+  std::string closure =
+      {};  ///< whether what is shown of a closure counts: "converged", "crossing", ...
+};
+using OperationAnswer = std::variant<Json, AnswerFile>;
+
+/// A request that was read, and what it will cost.
+struct OperationTask {
+  Index vertices = 0;  ///< of its valve; 0: none
+  std::ptrdiff_t closures =
+      1;  ///< that it makes, roughly, or what takes as long; 0: nothing that is worth a turn
+  std::function<Expected<OperationAnswer>(Context& context)> run;
+};
+
+struct Operation {
+  const char* name;  ///< "close"; of the command, too, where there is one
+  const char* path;  ///< POST, of the service and the browser's engine
+  const char* what;  ///< what it does, in a sentence
+  /// Errors: every problem of the request, with pointers into it.
+  Expected<OperationTask> (*read)(const Json& request, const Context& context);
+};
+
+/// Those on one valve that need no search, no files and no store: every door has them, the browser's engine, too.
+std::span<const Operation> valve_operations();
+/// All of them.
+std::span<const Operation> operations();
+
+/// Null if there is none. @param path "/v1/closures"
+const Operation* operation_at(std::span<const Operation> among, std::string_view path);
+
+}  // namespace coapt
