@@ -52,8 +52,8 @@ Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) 
       {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
   for (const char* name :
-       {"stop", "diagnosis", "any_competent", "verdict", "model_draws", "ladder", "plans_tried", "closures",
-        "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
+       {"stop", "diagnosis", "any_competent", "verdict", "model_draws", "ladder", "plans_tried",
+        "closures", "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
     answer[name] = json[name];
   return answer;
 }
@@ -72,7 +72,6 @@ Errors read_asked(const Json& request, const Context& context, EvaluateRequest& 
   options.region_points = 1;
   options.fine_levels = 0;
   options.model_draws = 0;
-  if (std::isfinite(context.limits.seconds)) options.seconds = context.limits.seconds;
   const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
   const auto draws = [](const JsonPlace& place) { return read_integer_in(place, 0, 200); };
   ProblemList problems;
@@ -108,6 +107,8 @@ SearchRequest request_of(const EvaluateRequest& asked) {
 
 Expected<SearchResult> score(const EvaluateRequest& asked, Context& context) {
   SearchOptions options = asked.options;
+  // Not in the request: what is asked for again gives the same, however long it may take.
+  if (std::isfinite(context.limits.seconds)) options.seconds = context.limits.seconds;
   options.closure.budget.cancelled = [&context] { return context.cancelled(); };
   std::vector<NamedPlan> named;
   for (const RepairPlan& plan : asked.plans) named.push_back({"", plan});

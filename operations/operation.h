@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "io/json/json.h"
 #include "operations/context.h"
@@ -34,18 +35,29 @@ struct OperationTask {
   std::function<Expected<OperationAnswer>(Context& context)> run;
 };
 
+/// Who carries requests for an operation.
+namespace door {
+inline constexpr unsigned kCommandLine = 1, kService = 2, kPython = 4, kBrowser = 8, kFarm = 16;
+}
+
 struct Operation {
-  const char* name;  ///< "close"; of the command, too, where there is one
-  const char* path;  ///< POST, of the service and the browser's engine
-  const char* what;  ///< what it does, in a sentence
-  /// Errors: every problem of the request, with pointers into it.
-  Expected<OperationTask> (*read)(const Json& request, const Context& context);
+  const char* name;     ///< "close"
+  const char* command;  ///< of coapt: "close", "study physiology"
+  const char* path;     ///< POST, of the service and the browser's engine; empty: neither has it
+  const char* what;     ///< what it does, in a sentence
+  unsigned doors = 0;
+  /// Errors: every problem of the request, with pointers into it. Null: a door of its own reads and runs it.
+  Expected<OperationTask> (*read)(const Json& request, const Context& context) = nullptr;
+  bool needs_store = false;  ///< of what outlives a request: jobs, closures
 };
+
+/// "command_line", "service", ...
+std::vector<std::string> door_names(unsigned doors);
 
 /// Those on one valve that need no search, no files and no store: every door has them, the browser's engine, too.
 std::span<const Operation> valve_operations();
-/// All of them.
-std::span<const Operation> operations();
+/// All of them, those of valve_operations() first.
+std::vector<Operation> operations();
 
 /// Null if there is none. @param path "/v1/closures"
 const Operation* operation_at(std::span<const Operation> among, std::string_view path);

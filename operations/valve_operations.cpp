@@ -1,33 +1,56 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "operations/table.h"
 
 namespace coapt {
+namespace {
 
-std::span<const Operation> valve_operations() {
-  static constexpr std::array kOperations = {
-      Operation{"close", "/v1/closures", "Closes a valve and measures what leaks.", read_close},
-      Operation{"scene", "/v1/scenes", "Closes a valve and gives all that is drawn of it.",
-                read_scene},
-      Operation{"open", "/v1/openings", "Opens a valve as in diastole and measures its opening.",
-                read_open},
-      Operation{"diagnose", "/v1/diagnoses", "Says why a valve leaks, segment by segment.",
-                read_diagnose},
-      Operation{"check", "/v1/valves:validate", "Lists every problem of a valve document.",
-                read_check},
-      Operation{"training case", "/v1/training/cases",
-                "Makes a case of valve analysis from a seed.", read_training_case},
-      Operation{"training exam", "/v1/training/exams", "Draws the exam of a schedule.",
-                read_training_exam},
-      Operation{"training score", "/v1/training/scores", "Scores the trials of a learner.",
-                read_training_score}};
-  return kOperations;
+using namespace door;
+
+constexpr unsigned kEverywhere = kCommandLine | kService | kPython | kBrowser;
+constexpr unsigned kTrainer = kCommandLine | kBrowser;
+
+constexpr std::array kOperations = {
+    Operation{"close", "close", "/v1/closures", "Closes a valve and measures what leaks.",
+              kEverywhere, read_close},
+    Operation{"scene", "", "/v1/scenes", "Closes a valve and gives all that is drawn of it.",
+              kService | kPython | kBrowser, read_scene},
+    Operation{"open", "open", "/v1/openings",
+              "Opens a valve as in diastole and measures its opening.", kEverywhere, read_open},
+    Operation{"diagnose", "diagnose", "/v1/diagnoses",
+              "Says why a valve leaks, segment by segment.", kEverywhere, read_diagnose},
+    Operation{"check", "valve check", "/v1/valves:validate",
+              "Lists every problem of a valve document.", kEverywhere, read_check},
+    Operation{"training_case", "", "/v1/training/cases",
+              "Makes a case of valve analysis from a seed.", kBrowser, read_training_case},
+    Operation{"training_exam", "train exam", "/v1/training/exams", "Draws the exam of a schedule.",
+              kTrainer, read_training_exam},
+    Operation{"training_score", "train score", "/v1/training/scores",
+              "Scores the trials of a learner.", kTrainer, read_training_score}};
+
+constexpr std::array<std::pair<unsigned, const char*>, 5> kDoors = {{{kCommandLine, "command_line"},
+                                                                     {kService, "service"},
+                                                                     {kPython, "python"},
+                                                                     {kBrowser, "browser"},
+                                                                     {kFarm, "farm"}}};
+
+}  // namespace
+
+std::span<const Operation> valve_operations() { return kOperations; }
+
+std::vector<std::string> door_names(unsigned doors) {
+  std::vector<std::string> names;
+  for (const auto& [one, name] : kDoors)
+    if ((doors & one) != 0) names.emplace_back(name);
+  return names;
 }
 
 const Operation* operation_at(std::span<const Operation> among, std::string_view path) {
-  const auto found = std::find_if(among.begin(), among.end(),
-                                  [&](const Operation& one) { return path == one.path; });
+  const auto found = std::find_if(among.begin(), among.end(), [&](const Operation& one) {
+    return one.read != nullptr && path == one.path;
+  });
   return found == among.end() ? nullptr : &*found;
 }
 

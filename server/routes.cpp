@@ -67,9 +67,8 @@ Routes routes_of(const Service& service) {
       {"GET", "/coapt-engine.wasm", GetPage{page}},
       {"GET", "/assets/{name}", GetPage{page}},
   };
-  // The trainer is the page's own, in the browser.
   for (const Operation& operation : operations())
-    if (!std::string_view(operation.path).starts_with("/v1/training/"))
+    if (operation.read != nullptr && (operation.doors & door::kService) != 0)
       routes.push_back({"POST", operation.path, PostOperation{operation, valves, compute}});
   return routes;
 }

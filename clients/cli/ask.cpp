@@ -15,8 +15,8 @@ namespace coapt {
 namespace {
 
 /// @pre there is one
-const Operation& operation_named(std::string_view name) {
-  const std::span<const Operation> all = operations();
+Operation operation_named(std::string_view name) {
+  const std::vector<Operation> all = operations();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Operation& one) { return name == one.name; });
   assert(found != all.end());
@@ -61,7 +61,7 @@ AskedRequest asked_repair(const std::string& valve, const PlanOption& plan,
 
 Expected<OperationAnswer> ask(const std::optional<Service>& service, const char* operation,
                               const Json& request, Context& here) {
-  const Operation& asked = operation_named(operation);
+  const Operation asked = operation_named(operation);
   if (service) {
     const Expected<std::string> answer = post(*service, asked.path, request);
     if (!answer) return answer.errors();

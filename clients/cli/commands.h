@@ -23,6 +23,7 @@ void add_export(Command parent, int& status);
 void add_fit(Command parent, int& status);
 void add_observe(Command parent, int& status);
 void add_open(Command parent, int& status);
+void add_operations(Command parent, int& status);
 void add_plan(Command parent, int& status);
 void add_population(Command parent, int& status);
 void add_prefer(Command parent, int& status);

@@ -25,6 +25,7 @@ void add_commands(Command app, int& status) {
   add_fit(app, status);
   add_observe(app, status);
   add_open(app, status);
+  add_operations(app, status);
   add_plan(app, status);
   add_population(app, status);
   add_prefer(app, status);

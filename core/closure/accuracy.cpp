@@ -1,6 +1,6 @@
 #include "core/closure/accuracy.h"
 
-#include <sstream>
+#include "core/valve/number_text.h"
 
 namespace coapt {
 
@@ -31,12 +31,11 @@ const TierError& error_of(const AccuracyTier& tier, Membrane membrane) {
 Expected<AccuracyTier> choose_tier(double orifice_mm2, Membrane membrane) {
   for (const AccuracyTier& tier : accuracy_tiers())
     if (error_of(tier, membrane).p99_mm2 <= orifice_mm2) return tier;
-  std::ostringstream message;
-  message << "is " << orifice_mm2 << ", must be at least "
-          << error_of(accuracy_tiers().back(), membrane).p99_mm2
-          << " mm2, what the tightest tolerances keep in 99 of 100 scenes with membrane "
-          << to_string(membrane);
-  return Error{ErrorCode::OutOfRange, "/accuracy", message.str()};
+  return Error{ErrorCode::OutOfRange, "/accuracy",
+               "is " + shown(orifice_mm2) + ", must be at least " +
+                   shown(error_of(accuracy_tiers().back(), membrane).p99_mm2) +
+                   " mm2, what the tightest tolerances keep in 99 of 100 scenes with membrane " +
+                   to_string(membrane)};
 }
 
 ClosureOptions at_tier(ClosureOptions options, const AccuracyTier& tier) {

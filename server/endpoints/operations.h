@@ -10,7 +10,7 @@ namespace coapt {
 
 /// POST of a request of `operation`: what it answers, with the research-only notice if it is a document.
 struct PostOperation {
-  const Operation& operation;
+  Operation operation;
   ValveSource valves;
   Compute& compute;
   Answer operator()(const Request& request) const;

@@ -1,4 +1,4 @@
-// Answers in place of coapt-server, for the page without one (make static): closures, scenes and openings from the engine,
+// Answers in place of coapt-server, for the page without one (make static): closures, scenes, openings and diagnoses from the engine,
 // presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
 import { presetWords } from '../valve/presets'
 import type { AskEngine } from './client'
@@ -13,7 +13,7 @@ export interface LocalParts {
 /// `body`: a value, or JSON as text. Answers what is wrong as a service does; rejects if `signal` says so.
 export type LocalService = (method: string, path: string, body?: unknown, signal?: AbortSignal) => Promise<Response>
 
-const COMPUTED = ['/v1/closures', '/v1/scenes', '/v1/openings']
+const COMPUTED = ['/v1/closures', '/v1/scenes', '/v1/openings', '/v1/diagnoses']
 const PRESETS = '/v1/presets'
 const VALVES = '/v1/valves'
 

@@ -97,6 +97,30 @@ test('a valve opens as natively', { timeout: PATIENCE_MS }, () => {
   expect(answer.gradient_mmhg).toBeCloseTo(native('open', 'human-normal').gradient_mmhg, 2)
 })
 
+test('a valve leaks for the reason that the native program names', { timeout: PATIENCE_MS }, () => {
+  for (const name of ['human-normal', 'barlow', 'human-functional-mr']) {
+    const { answer } = ask('/v1/diagnoses', name)
+    const told = native('diagnose', name)
+    expect(answer.type).toBe(told.type)
+    expect(answer.segments.map(({ finding }) => finding)).toEqual(told.segments.map(({ finding }) => finding))
+  }
+})
+
+test('what coapt says that browsers do, the engine does', () => {
+  for (const { path, doors } of native('operations').operations) {
+    const refused = read(engine.answer(path ?? '/nowhere', '{}'))
+    expect(refused.status === 404, path ?? '').toBe(!doors.includes('browser'))
+  }
+})
+
+test('a closure on finer meshes is that of the native program', { timeout: PATIENCE_MS }, () => {
+  const { answer } = ask('/v1/closures', 'porcine-1', { accuracy_mm2: 20, open: true })
+  const told = native('close', join(folder, 'porcine-1.json'), '--accuracy', '20', '--open')
+  expect(answer.accuracy).toEqual(told.accuracy)
+  expect(answer.leak_mm2).toBeCloseTo(told.leak_mm2, 1)
+  expect(answer.opening.opening_area_mm2).toBeCloseTo(told.opening.opening_area_mm2, 0)
+})
+
 test('rings and the version are there without a body', () => {
   expect(engine.answer('/v1/rings', '').status).toBe(200)
   expect(read(engine.answer('/version', '')).answer.version).toMatch(/^\d+\.\d+/)
