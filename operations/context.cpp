@@ -40,19 +40,18 @@ Expected<OpenedValve> Context::open(const Valve& valve, OpeningOptions options) 
   return opened_valve;
 }
 
-ClosureBudget Context::budget() {
+ClosureBudget Context::budget() const {
   return {limits.vertex_steps, [this] { return cancelled(); }};
 }
 
-bool Context::cancelled() {
+bool Context::cancelled() const {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-  over = over || seconds.count() > limits.seconds ||
+  return seconds.count() > limits.seconds ||
          (seconds.count() > kPatience_s && abandoned && abandoned());
-  return over;
 }
 
 Error Context::refusal() const {
-  if (over)
+  if (cancelled())
     return {ErrorCode::Busy, "",
             "took longer than " + shown(limits.seconds) +
                 " s: ask for fewer plans or region_points at once, search as a job "

@@ -1,6 +1,7 @@
 // What an operation may spend, and who waits for its answer.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <limits>
@@ -39,6 +40,8 @@ struct Context {
   std::function<Expected<Valve>(const std::string& name)> valve_named{};
   /// Whether nobody waits any more; empty: somebody does.
   std::function<bool()> abandoned{};
+  /// Set: what goes on ends, and what there is by then is answered. May be null.
+  const std::atomic<bool>* interrupted = nullptr;
   /// So many of so many are done; empty: nobody looks.
   std::function<void(int done, int planned)> progress{};
   /// What the answer is of, before it is given: for whoever draws it, too. Empty: nobody does.
@@ -48,9 +51,7 @@ struct Context {
   /// What a search of this valve is told beside its options: which closures are known, who looks. Empty: nothing.
   std::function<Errors(const Valve&, const SearchOptions&, SearchContext&)> searches{};
 
-  // How far the request has come.
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
-  bool over = false;  ///< cancelled() has said so
 
   /// The time of the request begins now, not when this was made.
   void start() { started = std::chrono::steady_clock::now(); }
@@ -61,9 +62,9 @@ struct Context {
   Expected<OpenedValve> open(const Valve& valve, OpeningOptions options = {});
 
   /// For what closes valves itself and ends without a result when it is spent: then with refusal(). Not to outlive this.
-  ClosureBudget budget();
-  /// Whether what has begun is to end, because its time is over or nobody waits. From then on.
-  bool cancelled();
+  ClosureBudget budget() const;
+  /// Whether what has begun is to end, because its time is over or nobody waits; from then on. From many threads at once.
+  bool cancelled() const;
   /// Busy where the request took too long, OutOfRange where a closure took too many steps.
   Error refusal() const;
 };

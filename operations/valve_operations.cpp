@@ -21,6 +21,8 @@ constexpr std::array kOperations = {
               "Opens a valve as in diastole and measures its opening.", kEverywhere, read_open},
     Operation{"diagnose", "diagnose", "/v1/diagnoses",
               "Says why a valve leaks, segment by segment.", kEverywhere, read_diagnose},
+    Operation{"observe", "observe", "/v1/valves:observe",
+              "Keeps with a valve what images show of it.", kEverywhere, read_observe},
     Operation{"check", "valve check", "/v1/valves:validate",
               "Lists every problem of a valve document.", kEverywhere, read_check},
     Operation{"training_case", "", "/v1/training/cases",

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/observed_options.h"
 #include "clients/cli/read_argument.h"
@@ -17,6 +19,7 @@ namespace {
 struct ObserveArguments {
   std::string valve, output;
   ObservedOptions observed;
+  ServerOption server;
   bool forget = false;
 };
 
@@ -27,14 +30,20 @@ Errors check(const ObserveArguments& arguments) {
   return check_observed(arguments.observed);
 }
 
-int run(const ObserveArguments& arguments) {
+int run(const ObserveArguments& arguments, const std::optional<Service>& service) {
   if (const Errors errors = check(arguments); !errors.empty())
     return report_errors("observe", errors);
-  Expected<Valve> valve = read_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  if (arguments.forget) valve->observed.clear();
-  take_observed(arguments.observed, *valve);
-  if (const int failed = write_output(arguments.output, write_valve(*valve))) return failed;
+  AskedRequest asked = asked_repair(arguments.valve, {}, service);
+  if (asked.failed) return asked.failed;
+  if (arguments.forget) asked.request["forget"] = true;
+  if (any_observed(arguments.observed))
+    asked.request["observed"] = observed_json(arguments.observed);
+  const Expected<OperationAnswer> answer = ask(service, "observe", asked.request, asked.here);
+  if (!answer) return report_refusal("observe", answer.errors(), asked.sources);
+  const std::string& document = std::get<AnswerFile>(*answer).bytes;
+  const Expected<Valve> valve = read_valve(document);
+  if (!valve) return report_errors("observe", valve.errors());
+  if (const int failed = write_output(arguments.output, document)) return failed;
   if (arguments.output == "-") return exit_code::kOk;
   for (const Observation& seen : valve->observed)
     std::cout << "  " << row_of(seen.figure).name << ": " << shown(seen.value) << ", sd "
@@ -57,6 +66,7 @@ void add_observe(Command parent, int& status) {
                   "File for the valve with what was observed, - for standard output")
       .required()
       .show_argument("FILE");
+  add_server_option(command, arguments->server);
   command.footer(
       "Draws of tissue and chordae in which the valve looks otherwise count less from then on: in "
       "plan and\nevaluate, close --draws, study model and study information. A figure that was "
@@ -65,7 +75,10 @@ void add_observe(Command parent, int& status) {
       "Examples:\n"
       "  coapt observe valve.json --leak 30 --leak-sd 8 --source \"3D planimetry\" -o seen.json\n"
       "  coapt observe seen.json --widest-gap 3 --widest-gap-sd 0.5 -o seen.json");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server, {});
+    status = service ? run(*arguments, *service) : report_errors("observe", service.errors());
+  });
 }
 
 }  // namespace coapt

@@ -59,6 +59,17 @@ Errors check_observed(const ObservedOptions& options) {
   return errors;
 }
 
+Json observed_json(const ObservedOptions& options) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < kFigures.size(); ++i) {
+    if (!options.values[i]) continue;
+    Json& one = json[kObservedRows[i].name];
+    one = {{"value", *options.values[i]}, {"sd", *options.sds[i]}};
+    if (!options.source.empty()) one["source"] = options.source;
+  }
+  return json;
+}
+
 void take_observed(const ObservedOptions& options, Valve& valve) {
   for (std::size_t i = 0; i < kFigures.size(); ++i) {
     if (!options.values[i]) continue;

@@ -7,6 +7,7 @@
 
 #include "core/valve/valve.h"
 #include "io/command_line/command_line.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -27,6 +28,9 @@ bool any_observed(const ObservedOptions& options);
 
 /// A value without its standard deviation, or the other way round.
 Errors check_observed(const ObservedOptions& options);
+
+/// As of a valve's "observed".
+Json observed_json(const ObservedOptions& options);
 
 /// A figure that was given before is replaced.
 void take_observed(const ObservedOptions& options, Valve& valve);

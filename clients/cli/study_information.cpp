@@ -1,15 +1,18 @@
-#include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/result_exit_code.h"
 #include "io/command_line/exit_code.h"
+#include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
 #include "io/command_line/progress_bar.h"
 #include "io/json/model_study_json.h"
@@ -22,40 +25,48 @@ namespace {
 struct StudyInformationArguments {
   std::string valve;
   PlanOption plan;
+  ServerOption server;
   ModelStudyOptions study;
   bool json = false;
 };
 
-int run(StudyInformationArguments arguments) {
+/// Of coapt.information/1.
+void print_information(const Json& information) {
+  std::cout << printable(information["valve"].get<std::string>()) << ": leak "
+            << leak_and_error(information["leak"]) << ", over " << draws_words(information)
+            << "\n\n";
+  TableRows table = {{"if it were measured", "of the variance goes", "mm2 (sd) remain"}};
+  for (const Json& row : information["rows"])
+    table.push_back(
+        {row["measurement"],
+         row["share_removed"].is_null() ? "n/a" : percent(row["share_removed"].get<double>()),
+         row["remaining_mm2"].is_null() ? "n/a" : fixed(row["remaining_mm2"].get<double>(), 1)});
+  print_table(std::cout, table);
+}
+
+int run(const StudyInformationArguments& arguments, const std::optional<Service>& service) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const PlannedValve given = read_planned_valve(arguments.valve, arguments.plan);
-  if (given.failed) return given.failed;
-  arguments.study.cancelled = &interrupted;
-  if (!given.plan.steps.empty()) arguments.study.unrepaired = &given.valve;
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (asked.failed) return asked.failed;
+  asked.request["draws"] = arguments.study.draws;
+  asked.request["seed"] = arguments.study.seed;
+  asked.here.limits.threads = arguments.study.threads;
+  asked.here.interrupted = &interrupted;
   const auto study_it = [&] {
     const ProgressBar bar;
-    arguments.study.progress = [&](int done, int planned) {
+    asked.here.progress = [&](int done, int planned) {
       if (done % 8 == 0 || done == planned) bar.show(done, planned, "draws");
     };
-    return study_model(given.repaired, arguments.study);
+    return ask_document(service, "information", asked.request, asked.here);
   };
-  const ModelStudy study = study_it();
-  const std::vector<InformationRow> rows = information_rows(study);
-  const Json json = to_json(study, rows, given.valve.name);
-  if (arguments.json) {
-    std::cout << json.dump(2) << '\n';
-  } else {
-    std::cout << printable(given.valve.name) << ": leak " << leak_and_error(json["leak"])
-              << ", over " << draws_words(json) << "\n\n";
-    TableRows table = {{"if it were measured", "of the variance goes", "mm2 (sd) remain"}};
-    for (const InformationRow& row : rows)
-      table.push_back({row.measurement,
-                       std::isfinite(row.share_removed) ? percent(row.share_removed) : "n/a",
-                       fixed(row.remaining_mm2, 1)});
-    print_table(std::cout, table);
-  }
+  const Expected<Json> information = study_it();
+  if (!information) return report_refusal("study information", information.errors(), asked.sources);
+  if (arguments.json)
+    std::cout << information->dump(2) << '\n';
+  else
+    print_information(*information);
   if (interrupted) return exit_code::kInterrupted;
-  return trusted(study.as_it_is) ? exit_code::kOk : exit_code::kNotClosed;
+  return exit_code_of_closure(*information);
 }
 
 }  // namespace
@@ -80,12 +91,17 @@ void add_study_information(Command parent, int& status) {
       .check(number_from(0, 1024))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.information/1)");
+  add_server_option(command, arguments->server);
   command.footer(
       "The measurements are of the unrepaired valve, with the errors that they name. What was "
       "observed already\n(coapt observe) is counted. Examples:\n"
       "  coapt study information human-functional-mr\n"
       "  coapt study information valve.json --plan ring.json --json");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  command.on_run([arguments, command, &status] {
+    const auto service = service_of(command, arguments->server, {"--threads"});
+    status =
+        service ? run(*arguments, *service) : report_errors("study information", service.errors());
+  });
 }
 
 }  // namespace coapt

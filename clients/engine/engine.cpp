@@ -22,6 +22,7 @@ EngineAnswer computed(const Operation& operation, std::string_view body) {
   if (!task) return problem(422, task.errors());
   Expected<OperationAnswer> answer = task->run(context);
   if (!answer) return problem(422, answer.errors());
+  if (auto* const file = std::get_if<AnswerFile>(&*answer)) return {200, std::move(file->bytes)};
   return json_answer(200, std::get<Json>(*std::move(answer)), std::move(closed_mm));
 }
 

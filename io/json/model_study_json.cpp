@@ -1,5 +1,7 @@
 #include "io/json/model_study_json.h"
 
+#include <cmath>
+
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 #include "search/model_draw.h"
@@ -27,6 +29,8 @@ Json leak_json(const ModelUncertainty& leak) {
           {"parameters", std::move(parameters)}};
 }
 
+Json known(double number) { return std::isfinite(number) ? Json(number) : Json(); }
+
 }  // namespace
 
 Json to_json(const ModelStudy& study, const std::string& valve_name) {
@@ -47,13 +51,15 @@ Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
   Json list = Json::array();
   for (const InformationRow& row : rows)
     list.push_back({{"measurement", row.measurement},
-                    {"share_removed", row.share_removed},
-                    {"remaining_mm2", row.remaining_mm2}});
+                    {"share_removed", known(row.share_removed)},
+                    {"remaining_mm2", known(row.remaining_mm2)}});
   Json leak = {{"area_mm2", measure.leak.area_mm2}, {"sd_mm2", study.leak.sd_mm2}};
   leak.update(to_json(Estimate{measure.leak.area_mm2,
                                area_interval(measure.leak.area_mm2, measure.leak_error_mm2),
                                tissue_interval(study)}));
   return result_document("coapt.information/1", {{"valve", valve_name},
+                                                 {"status", to_string(study.as_it_is.status)},
+                                                 {"crossing", study.as_it_is.crossing},
                                                  {"draws", study.draws.size()},
                                                  {"untrusted", study.untrusted},
                                                  {"observed", observed_names(study.observed)},

@@ -35,6 +35,9 @@ struct TissueFile {
 Expected<TissueFile> read_tissue_file(std::string_view text);
 std::string write_tissue_file(const TissueFile& file);
 
+/// {"leak_mm2": {"value", "sd", "source"}, ...}, as of a valve's "observed"; form alone is checked.
+std::vector<Observation> read_observed(const JsonPlace& place);
+
 /// Stand-in Anterolateral.
 Side read_side(const JsonPlace& place);
 

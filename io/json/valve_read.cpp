@@ -200,25 +200,6 @@ DrawnChordae read_drawn_chordae(const JsonPlace& place) {
   return drawn;
 }
 
-std::vector<Observation> read_observed(const JsonPlace& place) {
-  std::vector<Observation> observed;
-  const auto read_one = [&](ObservedFigure figure) {
-    return [&observed, figure](const JsonPlace& one) {
-      Observation seen{figure, 0.0, 0.0, {}};
-      read_fields(one, {{"value", into(seen.value, read_number)},
-                        {"sd", into(seen.sd, read_number)},
-                        {"source", into(seen.source, read_string), false}});
-      observed.push_back(std::move(seen));
-    };
-  };
-  read_fields(
-      place,
-      {{row_of(ObservedFigure::Leak).name, read_one(ObservedFigure::Leak), false},
-       {row_of(ObservedFigure::TentingArea).name, read_one(ObservedFigure::TentingArea), false},
-       {row_of(ObservedFigure::WidestGap).name, read_one(ObservedFigure::WidestGap), false}});
-  return observed;
-}
-
 FittedValues read_fitted(const JsonPlace& place) {
   FittedValues fitted;
   std::vector<std::vector<double>> rows;
@@ -344,6 +325,25 @@ Expected<Valve> checked(const Json& json, Valve (*read_form_of)(const JsonPlace&
 }
 
 }  // namespace
+
+std::vector<Observation> read_observed(const JsonPlace& place) {
+  std::vector<Observation> observed;
+  const auto read_one = [&](ObservedFigure figure) {
+    return [&observed, figure](const JsonPlace& one) {
+      Observation seen{figure, 0.0, 0.0, {}};
+      read_fields(one, {{"value", into(seen.value, read_number)},
+                        {"sd", into(seen.sd, read_number)},
+                        {"source", into(seen.source, read_string), false}});
+      observed.push_back(std::move(seen));
+    };
+  };
+  read_fields(
+      place,
+      {{row_of(ObservedFigure::Leak).name, read_one(ObservedFigure::Leak), false},
+       {row_of(ObservedFigure::TentingArea).name, read_one(ObservedFigure::TentingArea), false},
+       {row_of(ObservedFigure::WidestGap).name, read_one(ObservedFigure::WidestGap), false}});
+  return observed;
+}
 
 Expected<Valve> valve_from_json(const Json& json) {
   if (has_leaflets(json))

@@ -110,6 +110,7 @@ class Completion(unittest.TestCase):
                     "fit",
                     "evaluate",
                     "observe",
+                    "operations",
                     "open",
                     "plan",
                     "population",

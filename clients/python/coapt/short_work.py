@@ -120,6 +120,39 @@ class ShortWork(Asking):
         physiology: dict[str, Any] = self._ask("/v1/physiology", valve, request).json()
         return physiology
 
+    def information(
+        self, valve: Valve, plan: PlanSource | None = None, *, draws: int | None = None, seed: int | None = None
+    ) -> dict[str, Any]:
+        """Which measurement of a valve would tell most of its leak, repaired if there is a plan (coapt.information/1): "leak" with its
+        error, and "rows" of "measurement", "share_removed" and "remaining_mm2", the most telling first. Seconds.
+
+        >>> [row["measurement"] for row in client.information("human-functional-mr", draws=8)["rows"]][:0]
+        []
+
+        :param draws: of tissue and chordae (256)
+        :param seed: of the draws (1)
+        """
+        information: dict[str, Any] = self._ask(
+            "/v1/information", valve, repair_of(plan, **given(draws=draws, seed=seed))
+        ).json()
+        return information
+
+    def observe(
+        self, valve: Valve, observed: Mapping[str, Mapping[str, Any]] | None = None, *, forget: bool = False
+    ) -> dict[str, Any]:
+        """The valve (coapt.valve/1) with what images show of it, by which later answers are weighed.
+
+        >>> seen = client.observe("human-functional-mr", {"leak_mm2": {"value": 50, "sd": 10, "source": "3D planimetry"}})
+        >>> seen["observed"]["leak_mm2"]["sd"]
+        10.0
+
+        :param observed: "leak_mm2", "tenting_area_mm2", "widest_gap_mm": each a "value", its standard deviation "sd", a "source"
+        :param forget: what was observed before
+        """
+        request = {**given(observed=observed), "forget": forget}
+        seen: dict[str, Any] = self._ask("/v1/valves:observe", valve, request).json()
+        return seen
+
     def map(
         self,
         valves: Valve | Iterable[Valve],
