@@ -100,6 +100,7 @@ wasm: $(ENGINE)  ## the engine as a WebAssembly module for browsers, in build/wa
 
 $(ENGINE): $(ENGINE_SOURCES)
 	@cmake/install_packages.sh wasm
+	cmake/packaging/wasm_libraries.sh build/wasm-libraries
 	cmake --preset wasm
 	cmake --build --preset wasm
 	@touch $@

@@ -14,7 +14,6 @@ namespace coapt {
 
 struct SearchContext;
 struct SearchOptions;
-struct SearchRequest;
 struct SearchResult;
 
 /// Of one request. Nothing is limited unless whoever asks says so.
@@ -47,7 +46,7 @@ struct Context {
   /// What the answer is of, before it is given: for whoever draws it, too. Empty: nobody does.
   std::function<void(const ClosedValve&)> closed{};
   std::function<void(const OpenedValve&)> opened{};
-  std::function<void(const SearchRequest&, const SearchResult&)> scored{};
+  std::function<void(const Valve&, const SearchOptions&, const SearchResult&)> scored{};
   /// What a search of this valve is told beside its options: which closures are known, who looks. Empty: nothing.
   std::function<Errors(const Valve&, const SearchOptions&, SearchContext&)> searches{};
 

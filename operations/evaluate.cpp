@@ -1,14 +1,11 @@
 // Scores and ranks plans of one's own as a search scores its finalists. Answers one of coapt.plans/2 with the plans in the order
-// asked, each with its "index" and "rank"; or the report on them, one HTML page.
+// asked, each with its "index" and "rank".
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
-#include "io/picture/report.h"
-#include "io/store/subject.h"
 #include "operations/repair_request.h"
 #include "operations/table.h"
 #include "search/plans/plan_key.h"
@@ -27,7 +24,6 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
 }
 
 constexpr double kUsualTriangles = 650.0;
-constexpr std::size_t kMostReported = 10, kAnyNumber = std::numeric_limits<std::size_t>::max();
 
 /// How much a closure costs against one of a valve of the usual size, roughly.
 double size_of(const Valve& valve) {
@@ -101,10 +97,6 @@ Errors read_asked(const Json& request, const Context& context, EvaluateRequest& 
   return std::move(problems).take();
 }
 
-SearchRequest request_of(const EvaluateRequest& asked) {
-  return {asked.options, subject_of(asked.valve, asked.options.closure), ""};
-}
-
 Expected<SearchResult> score(const EvaluateRequest& asked, Context& context) {
   SearchOptions options = asked.options;
   // Not in the request: what is asked for again gives the same, however long it may take.
@@ -118,43 +110,21 @@ Expected<SearchResult> score(const EvaluateRequest& asked, Context& context) {
       return errors;
   Expected<SearchResult> result = evaluate_plans(asked.valve, named, options, within);
   if (result && context.cancelled()) return context.refusal();
-  if (result && context.scored) context.scored(request_of(asked), *result);
+  if (result && context.scored) context.scored(asked.valve, asked.options, *result);
   return result;
-}
-
-/// The task that `write(asked, result)` is.
-template <class Write>
-Expected<OperationTask> scoring(const Json& request, const Context& context, std::size_t most_plans,
-                                Write write) {
-  const auto asked = std::make_shared<EvaluateRequest>();
-  if (Errors errors = read_asked(request, context, *asked); !errors.empty()) return errors;
-  if (asked->plans.size() > most_plans)
-    return Error{ErrorCode::OutOfRange, "/plans",
-                 "has " + std::to_string(asked->plans.size()) + " plans; must be at most " +
-                     std::to_string(most_plans)};
-  return OperationTask{asked->valve.rest_mm.rows(), asked->closures,
-                       [asked, write](Context& within) -> Expected<OperationAnswer> {
-                         const Expected<SearchResult> result = score(*asked, within);
-                         if (!result) return result.errors();
-                         return write(*asked, *result);
-                       }};
 }
 
 }  // namespace
 
 Expected<OperationTask> read_evaluate(const Json& request, const Context& context) {
-  return scoring(request, context, kAnyNumber,
-                 [](const EvaluateRequest& asked, const SearchResult& result) -> OperationAnswer {
-                   return in_order(result, asked.plans);
-                 });
-}
-
-Expected<OperationTask> read_report(const Json& request, const Context& context) {
-  return scoring(
-      request, context, kMostReported,
-      [](const EvaluateRequest& asked, const SearchResult& result) -> OperationAnswer {
-        return AnswerFile{"text/html; charset=utf-8", plan_report_html(result, request_of(asked))};
-      });
+  const auto asked = std::make_shared<EvaluateRequest>();
+  if (Errors errors = read_asked(request, context, *asked); !errors.empty()) return errors;
+  return OperationTask{asked->valve.rest_mm.rows(), asked->closures,
+                       [asked](Context& within) -> Expected<OperationAnswer> {
+                         const Expected<SearchResult> result = score(*asked, within);
+                         if (!result) return result.errors();
+                         return OperationAnswer(in_order(*result, asked->plans));
+                       }};
 }
 
 }  // namespace coapt

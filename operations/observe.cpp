@@ -41,8 +41,7 @@ Expected<OperationTask> read_observe(const Json& request, const Context& context
   const Valve valve = observed_valve(asked);
   if (Errors errors = validate(valve); !errors.empty()) return errors;
   return OperationTask{0, 0, [valve](Context&) -> Expected<OperationAnswer> {
-                         return OperationAnswer(
-                             AnswerFile{"application/json", write_valve(valve)});
+                         return OperationAnswer(AnswerFile{"application/json", write_valve(valve)});
                        }};
 }
 

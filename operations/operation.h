@@ -54,7 +54,7 @@ struct Operation {
 /// "command_line", "service", ...
 std::vector<std::string> door_names(unsigned doors);
 
-/// Those on one valve that need no search, no files and no store: every door has them, the browser's engine, too.
+/// Those on one valve that need no files and no studies: every door has them, the browser's engine, too.
 std::span<const Operation> valve_operations();
 /// All of them, those of valve_operations() first.
 std::vector<Operation> operations();

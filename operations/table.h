@@ -16,6 +16,7 @@ Expected<OperationTask> read_training_score(const Json& request, const Context& 
 
 Expected<OperationTask> read_observe(const Json& request, const Context& context);
 Expected<OperationTask> read_information(const Json& request, const Context& context);
+Expected<OperationTask> read_plan(const Json& request, const Context& context);
 Expected<OperationTask> read_evaluate(const Json& request, const Context& context);
 Expected<OperationTask> read_report(const Json& request, const Context& context);
 Expected<OperationTask> read_prefer(const Json& request, const Context& context);

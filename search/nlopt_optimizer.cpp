@@ -1,44 +1,46 @@
 #include "search/nlopt_optimizer.h"
 
+#include <nlopt.h>
+
 #include <algorithm>
-#include <exception>
-#include <nlopt.hpp>
+#include <cassert>
+#include <memory>
+
+#include "search/threads.h"
 
 namespace coapt {
 namespace {
 
 constexpr double kMostOfRange = 0.49;
 
-nlopt::algorithm algorithm_of(LocalMethod method) {
+nlopt_algorithm algorithm_of(LocalMethod method) {
   switch (method) {
     case LocalMethod::Bobyqa:
-      return nlopt::LN_BOBYQA;
+      return NLOPT_LN_BOBYQA;
     case LocalMethod::Sbplx:
-      return nlopt::LN_SBPLX;
+      return NLOPT_LN_SBPLX;
     case LocalMethod::NelderMead:
-      return nlopt::LN_NELDERMEAD;
+      return NLOPT_LN_NELDERMEAD;
   }
-  return nlopt::LN_BOBYQA;
+  return NLOPT_LN_BOBYQA;
 }
 
-struct Context {
+struct Call {
   const BoundedProblem& problem;
   const PointCostAt& cost;
-  nlopt::opt& optimizer;
-  std::exception_ptr thrown;  // by cost(): must not pass through NLopt's C code
+  nlopt_opt optimizer;
+  Thrown thrown{};  // by cost(): must not pass through NLopt's C code
 };
 
-double call(const std::vector<double>& x, std::vector<double>&, void* data) {
-  auto& context = *static_cast<Context*>(data);
-  std::vector<double> inside = x;  // BOBYQA may leave its bounds by one unit in the last place
-  for (std::size_t k = 0; k < x.size(); ++k)
-    inside[k] = std::clamp(x[k], context.problem.lower[k], context.problem.upper[k]);
-  try {
-    if (const std::optional<double> value = context.cost(inside)) return *value;
-  } catch (...) {
-    context.thrown = std::current_exception();
-  }
-  context.optimizer.force_stop();
+double cost_at(unsigned size, const double* x, double* /*gradient*/, void* data) {
+  auto& call = *static_cast<Call*>(data);
+  std::vector<double> inside(
+      x, x + size);  // BOBYQA may leave its bounds by one unit in the last place
+  for (std::size_t k = 0; k < inside.size(); ++k)
+    inside[k] = std::clamp(inside[k], call.problem.lower[k], call.problem.upper[k]);
+  std::optional<double> value;
+  if (call.thrown.returns([&] { value = call.cost(inside); }) && value) return *value;
+  nlopt_force_stop(call.optimizer);
   return 0.0;
 }
 
@@ -47,8 +49,10 @@ double call(const std::vector<double>& x, std::vector<double>&, void* data) {
 void minimise(const BoundedProblem& problem, const PointCostAt& cost, std::uint64_t seed) {
   nlopt_srand(
       static_cast<unsigned long>(seed));  // its generator is per thread, seeded by the clock
-  nlopt::opt optimizer(algorithm_of(problem.method), static_cast<unsigned>(problem.start.size()));
-  Context context{problem, cost, optimizer, nullptr};
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimizer(
+      nlopt_create(algorithm_of(problem.method), static_cast<unsigned>(problem.start.size())),
+      nlopt_destroy);
+  Call call{problem, cost, optimizer.get()};
   // BOBYQA takes no first step beyond half a range, and calls nothing then.
   std::vector<double> first_step = problem.first_step;
   for (std::size_t k = 0; k < first_step.size(); ++k)
@@ -56,20 +60,19 @@ void minimise(const BoundedProblem& problem, const PointCostAt& cost, std::uint6
       first_step[k] = std::min(first_step[k], kMostOfRange * range);
   std::vector<double> tolerance = first_step;
   for (double& t : tolerance) t *= problem.tolerance;
-  optimizer.set_min_objective(call, &context);
-  optimizer.set_lower_bounds(problem.lower);
-  optimizer.set_upper_bounds(problem.upper);
-  optimizer.set_initial_step(first_step);
-  optimizer.set_xtol_abs(tolerance);
-  optimizer.set_maxeval(problem.most_calls);
+  nlopt_set_min_objective(optimizer.get(), cost_at, &call);
+  nlopt_set_lower_bounds(optimizer.get(), problem.lower.data());
+  nlopt_set_upper_bounds(optimizer.get(), problem.upper.data());
+  nlopt_set_initial_step(optimizer.get(), first_step.data());
+  nlopt_set_xtol_abs(optimizer.get(), tolerance.data());
+  nlopt_set_maxeval(optimizer.get(), problem.most_calls);
   std::vector<double> point = problem.start;
   double value = 0.0;
-  try {
-    optimizer.optimize(point, value);
-  } catch (const nlopt::forced_stop&) {
-  } catch (const nlopt::roundoff_limited&) {  // on a plateau: the caller has what was evaluated
-  }
-  if (context.thrown) std::rethrow_exception(context.thrown);
+  // On a plateau the caller has what was evaluated; any other refusal is a bug here.
+  [[maybe_unused]] const nlopt_result result =
+      nlopt_optimize(optimizer.get(), point.data(), &value);
+  assert(result > 0 || result == NLOPT_FORCED_STOP || result == NLOPT_ROUNDOFF_LIMITED);
+  call.thrown.rethrow();
 }
 
 }  // namespace coapt

@@ -24,7 +24,7 @@ struct BoundedProblem {
 using PointCostAt = std::function<std::optional<double>(const std::vector<double>&)>;
 
 /// Calls `cost` until it is satisfied, told to stop, or out of calls; whoever calls keeps the best.
-/// Rounding on a plateau is an end like any other; what else NLopt throws is thrown on: a bug here.
+/// Rounding on a plateau is an end like any other.
 void minimise(const BoundedProblem& problem, const PointCostAt& cost, std::uint64_t seed);
 
 }  // namespace coapt

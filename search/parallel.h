@@ -1,10 +1,9 @@
 // The one parallel loop of coapt.
 #pragma once
 
-#include <omp.h>
-
-#include <exception>
 #include <vector>
+
+#include "search/threads.h"
 
 namespace coapt {
 
@@ -13,18 +12,13 @@ namespace coapt {
 /// ended; that of the smallest index is then thrown here.
 template <class Function>
 void for_each_index(int count, int threads, const Function& function) {
-  std::vector<std::exception_ptr> thrown(count);
-  const int team = threads > 0 ? threads : omp_get_max_threads();
+  std::vector<Thrown> thrown(count);
+  [[maybe_unused]] const int team = threads > 0 ? threads : all_cores();
+#ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic) num_threads(team)
-  for (int i = 0; i < count; ++i) {
-    try {
-      function(i);
-    } catch (...) {
-      thrown[i] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& exception : thrown)
-    if (exception) std::rethrow_exception(exception);
+#endif
+  for (int i = 0; i < count; ++i) thrown[i].returns([&] { function(i); });
+  for (const Thrown& one : thrown) one.rethrow();
 }
 
 }  // namespace coapt

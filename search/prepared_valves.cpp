@@ -12,7 +12,7 @@ constexpr std::size_t kKept = 8;  // a million bytes each at 650 triangles
 std::shared_ptr<const PreparedValve> PreparedValves::of(const Valve& valve,
                                                         const ClosureOptions& options) {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     const auto found = std::find_if(newest_.begin(), newest_.end(), [&](const auto& prepared) {
       return prepared->serves(valve, options);
     });
@@ -22,7 +22,7 @@ std::shared_ptr<const PreparedValve> PreparedValves::of(const Valve& valve,
     }
   }
   auto prepared = std::make_shared<const PreparedValve>(valve, options);
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   if (newest_.size() == kKept) newest_.erase(newest_.begin());
   newest_.push_back(prepared);
   return prepared;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "core/closure/prepared_valve.h"
+#include "search/threads.h"
 
 namespace coapt {
 
@@ -16,7 +16,7 @@ class PreparedValves {
   std::shared_ptr<const PreparedValve> of(const Valve& valve, const ClosureOptions& options);
 
  private:
-  std::mutex mutex_;
+  Mutex mutex_;
   std::vector<std::shared_ptr<const PreparedValve>> newest_;  // last
 };
 

@@ -68,7 +68,8 @@ Routes routes_of(const Service& service) {
       {"GET", "/assets/{name}", GetPage{page}},
   };
   for (const Operation& operation : operations())
-    if (operation.read != nullptr && (operation.doors & door::kService) != 0)
+    if (operation.read != nullptr && !operation.needs_store &&
+        (operation.doors & door::kService) != 0)
       routes.push_back({"POST", operation.path, PostOperation{operation, valves, compute}});
   return routes;
 }

@@ -20,8 +20,8 @@
 #include "io/command_line/interrupt.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
+#include "io/json/subject.h"
 #include "io/picture/report.h"
-#include "io/store/subject.h"
 
 namespace coapt {
 namespace {
@@ -155,11 +155,11 @@ int run(const EvaluateArguments& arguments, const std::optional<Service>& servic
       store = *opened;
       return {};
     };
-    asked.here.scored = [&](const SearchRequest& request, const SearchResult& result) {
+    asked.here.scored = [&](const Valve& valve, const SearchOptions& options,
+                            const SearchResult& result) {
       if (arguments.report.empty()) return;
-      SearchRequest as = request;
-      as.command = command_line(arguments);
-      report = plan_report_html(result, as);
+      report = plan_report_html(
+          result, {options, subject_of(valve, options.closure), command_line(arguments)});
     };
     return ask_document(service, "evaluate", asked.request, asked.here);
   };

@@ -20,7 +20,7 @@
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
 #include "io/picture/report.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 
 namespace coapt {
 namespace {

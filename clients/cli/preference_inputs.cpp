@@ -6,7 +6,7 @@
 
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 
 namespace coapt {
 namespace {

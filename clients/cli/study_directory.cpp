@@ -6,7 +6,7 @@
 #include "farm/ask/farm.h"
 #include "farm/ask/farm_closures.h"
 #include "io/command_line/files.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 
 namespace coapt {
 namespace {

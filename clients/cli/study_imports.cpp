@@ -25,7 +25,7 @@
 #include "io/json/valve_json.h"
 #include "io/picture/csv_lines.h"
 #include "io/picture/import_picture.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {

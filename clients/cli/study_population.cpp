@@ -23,7 +23,7 @@
 #include "io/picture/text.h"
 #include "io/picture/tree_picture.h"
 #include "io/store/record_file.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "search/population/population_study.h"
 
 namespace coapt {

@@ -9,7 +9,7 @@
 #include "farm/work/work_parts.h"
 #include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 
 namespace coapt {
 namespace {

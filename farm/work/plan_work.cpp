@@ -11,7 +11,7 @@
 #include "io/json/valve_json.h"
 #include "io/picture/report_material.h"
 #include "io/picture/search_csv.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {

@@ -6,7 +6,7 @@
 #include "farm/work/plan_work.h"
 #include "farm/work/population_work.h"
 #include "io/store/sha256.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 
 namespace coapt {
 namespace {

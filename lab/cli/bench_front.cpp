@@ -11,7 +11,7 @@
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "lab/cli/bench_parts.h"
 #include "lab/cli/commands.h"
 #include "lab/cli/draw.h"

@@ -85,7 +85,7 @@ PlanEvaluations::PlanEvaluations(const Evaluator& evaluate, const Valve& valve,
 PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
   const std::string key = plan_key(plan);
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     if (const auto found = records_.find(key); found != records_.end()) return *found->second;
   }
   auto made = std::make_unique<PlanRecord>();
@@ -113,19 +113,19 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
     made->least_guide =
         options_.guide_by_price ? made->lowest_cost : least_guide(operation_of(*made));
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   return *records_.try_emplace(key, std::move(made)).first->second;
 }
 
 std::shared_ptr<PlanEvaluations::State> PlanEvaluations::state_of(const PlanRecord& plan) {
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     if (const auto found = states_.find(&plan); found != states_.end()) return found->second;
   }
   auto state = std::make_shared<State>();
   state->repaired = *apply_plan(valve_, plan.plan);
   state->closed = evaluate_(state->repaired, nullptr);
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   const auto [entry, is_new] = states_.try_emplace(&plan, state);
   if (is_new) {
     newest_states_.push_back(&plan);
@@ -151,19 +151,16 @@ void PlanEvaluations::add(PlanRecord& plan, int disturbance, const PlanClosure& 
   not_converged_ += closure.status != ClosureStatus::Converged;
   crossed_ += closure.crossing;
   if (!was_known && options_.keep) {
-    try {
-      options_.keep(plan.key, disturbance, closure);
-    } catch (...) {
-      failed_ = true;  // not before: other threads look
-      throw;
-    }
+    Thrown unkept;
+    failed_ = failed_ || !unkept.returns([&] { options_.keep(plan.key, disturbance, closure); });
+    unkept.rethrow();  // not before: other threads look
   }
   monitor_.closed(disturbance == 0 && trusted(closure) ? closure.leak_mm2
                                                        : std::numeric_limits<double>::infinity());
 }
 
 bool PlanEvaluations::take_known(PlanRecord& plan, int disturbance) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   if (plan.closures.contains(disturbance)) return true;
   const auto known = options_.known.find(plan.key);
   if (known == options_.known.end()) return false;
@@ -181,7 +178,7 @@ std::shared_ptr<const ClosureResult> PlanEvaluations::closure_of(const PlanRecor
                                                                  State& state, int disturbance) {
   if (disturbance == 0) return state.closed.closure;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     if (const auto found = state.frame.find(disturbance); found != state.frame.end())
       return found->second;
   }
@@ -202,7 +199,7 @@ ClosedPlan PlanEvaluations::close_disturbed(const PlanRecord& plan, State& state
       evaluate_(disturb(valve_, state.repaired, plan.plan, disturbances()[disturbance]),
                 predicted ? &*predicted : state.closed.closure.get());
   if (in_frame(disturbance)) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     state.frame.emplace(disturbance, closed.closure);
   }
   return closed;
@@ -211,7 +208,7 @@ ClosedPlan PlanEvaluations::close_disturbed(const PlanRecord& plan, State& state
 void PlanEvaluations::close_one(PlanRecord& plan, int disturbance) {
   const std::shared_ptr<State> state = state_of(plan);
   const PlanClosure closure = plan_closure(close_disturbed(plan, *state, disturbance).evaluation);
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const Lock lock(mutex_);
   if (!plan.closures.contains(disturbance)) add(plan, disturbance, closure, false);
 }
 
@@ -232,7 +229,7 @@ std::vector<PlanEvaluations::Task> PlanEvaluations::with_frames(std::span<const 
       continue;
     }
     tasks[i].level = frame_level(disturbance);
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     for (const FrameShare& part : predicted_from(disturbance)) {
       const int d = part.disturbance;
       if (d > 0 && !state->frame.contains(d) && seen.emplace(plan, d).second)

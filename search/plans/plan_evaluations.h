@@ -14,7 +14,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <set>
 #include <span>
 #include <string>
@@ -167,7 +166,7 @@ class PlanEvaluations {
   ClosedPlan before_;
   CostContext context_;
 
-  std::mutex mutex_;
+  Mutex mutex_;
   std::atomic<bool> failed_ = false;  // a closure could not be kept: make no more
   std::unordered_map<std::string, std::unique_ptr<PlanRecord>> records_;
   std::unordered_map<const PlanRecord*, std::shared_ptr<State>> states_;

@@ -6,12 +6,12 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "search/plans/search_progress.h"
+#include "search/threads.h"
 
 namespace coapt {
 
@@ -41,27 +41,27 @@ class SearchMonitor {
   double seconds_left() const { return seconds_ <= 0.0 ? 1e9 : seconds_ - seconds(); }
 
   void plan(int closures, const std::string& stage) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     progress_.closures_planned = closures;
     progress_.stage = stage;
   }
   void found(double cost) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     progress_.best_cost = cost;
   }
   void leads(LeadingPlan plan) {
     auto shared = std::make_shared<const LeadingPlan>(std::move(plan));
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     progress_.leading = std::move(shared);
   }
   /// @param costs expected of random search after 1, 2, ... closures
   void expect_of_random(std::vector<double> costs) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     random_costs_ = std::move(costs);
   }
   /// @param leak_mm2 of this plan as planned, infinite if it is none.
   void closed(double leak_mm2) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const Lock lock(mutex_);
     ++progress_.closures;
     if (leak_mm2 < progress_.best_leak_mm2) progress_.best_leak_mm2 = leak_mm2;
     if (!random_costs_.empty()) {
@@ -81,7 +81,7 @@ class SearchMonitor {
   double seconds_;
   const std::atomic<bool>* cancelled_;
   Report report_;
-  std::mutex mutex_;
+  Mutex mutex_;
   SearchProgress progress_;
   std::vector<double> random_costs_;
 };

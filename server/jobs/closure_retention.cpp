@@ -8,7 +8,7 @@
 #include "io/json/search_options_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "search/studies/orifice_table.h"
 #include "server/jobs/closure_keeping.h"
 

@@ -10,7 +10,7 @@
 #include "io/json/valve_json.h"
 #include "io/picture/search_csv.h"
 #include "io/store/plan_store.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "server/answer.h"
 #include "server/jobs/closure_keeping.h"
 #include "server/jobs/farm_plan.h"

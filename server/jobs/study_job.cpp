@@ -7,7 +7,7 @@
 #include "io/json/findings_json.h"
 #include "io/json/parse_json.h"
 #include "io/store/closure_store.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "server/answer.h"
 #include "server/jobs/closure_keeping.h"
 #include "server/jobs/study_request.h"

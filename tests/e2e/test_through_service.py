@@ -205,9 +205,8 @@ class OnlyHere(ThroughService):
     def test_what_a_service_does_not_offer_is_a_usage_error_that_names_it(self):
         ring = self.write("ring.json", RING)
         for arguments, named in [
-            (("close", VALVE, "--method", "thesis"), "--method"),
-            (("close", VALVE, "--membrane", "springs"), "--membrane"),
-            (("close", VALVE, "--accuracy", 1), "--accuracy"),
+            (("close", VALVE, "--closed", self.folder / "x.ply"), "--closed"),
+            (("close", VALVE, "--draws", 8), "--draws"),
             (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),
             (("plan", VALVE, "--store", self.folder / "x.sqlite"), "--store"),
             (("study", "ring", VALVE, "--threads", 1, "-o", self.folder / "s"), "--threads"),

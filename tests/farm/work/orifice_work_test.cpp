@@ -8,7 +8,7 @@
 
 #include "farm/work/closure_options_json.h"
 #include "io/json/valve_json.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 

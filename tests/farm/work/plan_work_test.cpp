@@ -6,7 +6,7 @@
 #include "io/json/plan_document.h"
 #include "io/json/plans_json.h"
 #include "io/picture/report_material.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "search/plans/plan_search.h"
 #include "tests/scenes/small_preset.h"
 

@@ -3,7 +3,7 @@
 #include "io/json/search_options_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 #include "tests/io/store/plan_scene.h"
 #include "tests/server/endpoints/service_scene.h"
 

@@ -1,6 +1,7 @@
 // What the engine's module imports of WASI preview 1 (wasi_snapshot_preview1): a clock, and what it prints before it aborts.
 // There are no files. https://github.com/WebAssembly/WASI/blob/main/legacy/preview1/docs.md
 const DONE = 0
+const NO_FILE = 8 // errno badf
 const NOT_SEEKABLE = 70 // errno spipe
 
 /// `memory` is asked for at each call, because it may have grown. `print` takes what is written to any file descriptor.
@@ -25,5 +26,9 @@ export function wasi(memory: () => WebAssembly.Memory, print: (text: string) => 
     },
     fd_seek: () => NOT_SEEKABLE,
     fd_close: () => DONE,
+    fd_fdstat_get: () => NO_FILE, // whether output goes to a terminal
+    proc_exit: (code: number) => {
+      throw new Error(`the engine ended with code ${code}`)
+    },
   }
 }

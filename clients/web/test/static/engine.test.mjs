@@ -121,6 +121,23 @@ test('a closure on finer meshes is that of the native program', { timeout: PATIE
   expect(answer.opening.opening_area_mm2).toBeCloseTo(told.opening.opening_area_mm2, 0)
 })
 
+test('a search tries and ranks the plans of the native program', { timeout: PATIENCE_MS }, () => {
+  const options = ['--evaluations', '40', '--region-points', '5', '--plans', '2', '--fine-levels', '0']
+  const file = join(folder, 'small.json')
+  execFileSync(join(BIN, 'coapt'), ['valve', 'make', 'human-p2-prolapse', '--triangles', '200', '-o', file])
+  const told = native('plan', file, ...options, '--model-draws', '0', '--no-evidence')
+  const search = { evaluations: 40, region_points: 5, plans: 2, fine_levels: 0, model_draws: 0, evidence: false }
+  const { status, answer } = ask('/v1/plans', 'small', { search })
+  expect(status).toBe(200)
+  const shown = ({ plans_tried, closures, plans }) => ({
+    plans_tried,
+    closures,
+    plans: plans.map(({ plan, class: kind }) => ({ plan, kind })),
+  })
+  expect(shown(answer)).toEqual(shown(told))
+  for (const [i, { cost }] of told.plans.entries()) expect(answer.plans[i].cost).toBeCloseTo(cost, 6)
+})
+
 test('rings and the version are there without a body', () => {
   expect(engine.answer('/v1/rings', '').status).toBe(200)
   expect(read(engine.answer('/version', '')).answer.version).toMatch(/^\d+\.\d+/)

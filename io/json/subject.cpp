@@ -1,4 +1,4 @@
-#include "io/store/subject.h"
+#include "io/json/subject.h"
 
 #include <array>
 #include <cstdint>

@@ -1,0 +1,65 @@
+// Locks, teams of threads and exceptions that are held back; in the module for browsers, which has one thread and no exceptions, of
+// nothing.
+#pragma once
+
+#if defined(__wasm__)
+namespace coapt {
+
+struct Mutex {
+  void lock() {}
+  void unlock() {}
+};
+class [[nodiscard]] Lock {
+ public:
+  explicit Lock(Mutex& /*mutex*/) {}
+  ~Lock() {}
+};
+inline int all_cores() { return 1; }
+
+/// What a call threw, until it may be thrown on: nothing throws here.
+class Thrown {
+ public:
+  template <class Function>
+  bool returns(const Function& function) {
+    function();
+    return true;
+  }
+  void rethrow() const {}
+};
+
+}  // namespace coapt
+#else
+#include <omp.h>
+
+#include <exception>
+#include <mutex>
+
+namespace coapt {
+
+using Mutex = std::mutex;
+using Lock = std::lock_guard<std::mutex>;
+inline int all_cores() { return omp_get_max_threads(); }
+
+/// What a call threw, until it may be thrown on.
+class Thrown {
+ public:
+  /// Whether function() returned; what it throws is held.
+  template <class Function>
+  bool returns(const Function& function) {
+    try {
+      function();
+    } catch (...) {
+      held_ = std::current_exception();
+    }
+    return !held_;
+  }
+  void rethrow() const {
+    if (held_) std::rethrow_exception(held_);
+  }
+
+ private:
+  std::exception_ptr held_;
+};
+
+}  // namespace coapt
+#endif
