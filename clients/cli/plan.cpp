@@ -19,8 +19,8 @@
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
-#include "io/picture/report.h"
 #include "io/json/subject.h"
+#include "io/picture/report.h"
 
 namespace coapt {
 namespace {
