@@ -2,7 +2,7 @@
 """Draws the laboratory's tables: the file's name says which chart it is.
 
 ablation.csv            what each ingredient of a closure buys and costs
-speed-accuracy.csv      distance from a reference, and error of the orifice, against time
+speed-accuracy.csv      distance from a reference, and error of the leak, against time
 stability.csv           where each method closes a valve and where it fails
 front-rise.csv          how much of what plans trade the search and its rivals have found
 ecdf.csv                share of targets that the search and its rivals reach
@@ -55,7 +55,7 @@ KINDS = {
     ("fast", "continuum"): ("fast, continuum", VERMILION, "s"),
     ("thesis", "springs"): ("thesis", GREEN, "^"),
 }
-MEMBRANE, MEMBRANES_BEFORE = "continuum", {"0.1": "springs"}  # defaults
+MEMBRANE = "continuum"  # default
 # Table 2.2 of the thesis: distance from imaging; chapter 4: time of a configuration.
 THESIS_MS, THESIS_MM = 1e4, (0.56, 0.82)
 
@@ -71,8 +71,6 @@ def front(points):
 
 def draw_against_time(rows, heading, label, error, from_imaging=False):
     rows = [row for row in rows if row["status"] == "converged" and row["crossing"] == "false"]
-    earlier = [row for row in rows if row.get("release")]
-    rows = [row for row in rows if not row.get("release")]
     scenes = each_once(row["scene"] for row in rows)
     figure, axes = figure_titled(heading, 10, 4.6, ncols=len(scenes), sharey=True, sharex=True, squeeze=False)
     for axis, scene in zip(axes[0], scenes):
@@ -99,18 +97,6 @@ def draw_against_time(rows, heading, label, error, from_imaging=False):
             label=f"{MEMBRANE}, best for its time",
             zorder=1,
         )
-        for release in each_once(row["release"] for row in earlier):
-            of = [row for row in earlier if (row["release"], row["scene"]) == (release, scene)]
-            of = [row for row in of if row["method"] == "fast" and row["membrane"] == MEMBRANES_BEFORE[release]]
-            axis.plot(
-                *zip(*front([(1e3 * float(row["seconds"]), error(row)) for row in of])),
-                color=GREY,
-                lw=1.2,
-                ls="--",
-                drawstyle="steps-post",
-                label=f"release {release}, {MEMBRANES_BEFORE[release]}",
-                zorder=1,
-            )
         if from_imaging:
             axis.plot([THESIS_MS] * 2, THESIS_MM, color=PURPLE, lw=3, label="thesis, from imaging")
         axis.set(title=scene, xscale="log", xlabel="time of a closure, ms")
@@ -137,12 +123,12 @@ def draw_speed_accuracy(rows):
     return figure
 
 
-def draw_orifice_accuracy(rows):
+def draw_leak_accuracy(rows):
     figure = draw_against_time(
         rows,
-        "Error of the orifice against time",
+        "Error of the leak against time",
         "difference from the reference, mm²",
-        lambda row: abs(float(row["orifice_error_mm2"])),
+        lambda row: abs(float(row["leak_error_mm2"])),
     )
     for axis in figure.axes:
         axis.set_yscale("symlog", linthresh=0.1)
@@ -362,7 +348,7 @@ def draw_hostile_memory(rows):
 
 CHARTS = {
     "ablation": {"ablation": draw_ablation},
-    "speed-accuracy": {"speed-accuracy": draw_speed_accuracy, "speed-accuracy-orifice": draw_orifice_accuracy},
+    "speed-accuracy": {"speed-accuracy": draw_speed_accuracy, "speed-accuracy-leak": draw_leak_accuracy},
     "stability": {"stability": draw_stability},
     "mesh": {"mesh": mesh.draw_errors},
     "growth": {"growth": growth.draw_growth},

@@ -5,6 +5,7 @@
 #include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
 #include "core/metrics/quantile.h"
+#include "core/presets/presets.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -19,6 +20,7 @@ namespace coapt {
 namespace {
 
 constexpr const char* kAnatomies = "anatomies";
+constexpr const char* kPresets = "presets";
 
 struct BenchArguments {
   std::string valve;
@@ -28,24 +30,28 @@ struct BenchArguments {
 };
 
 void print(std::ostream& out, const ClosureStudy& study, const ClosureStudyOptions& options) {
-  std::vector<double> rms, orifice;
+  std::vector<double> rms, leak;
   for (const SceneOutcome& scene : study.scenes) {
     if (!scene.compared) continue;
     rms.push_back(scene.from_end.rms_mm);
-    orifice.push_back(std::abs(scene.from_end.orifice_mm2));
+    leak.push_back(std::abs(scene.from_end.leak_mm2));
   }
   out << study.scenes.size() << " closures: median " << study.median_ms << " ms, 90 % below "
       << study.p90_ms << " ms, " << study.closures_per_second_per_core << " a second and core\n"
       << study.unconverged << " not converged, " << study.crossed << " crossed, " << study.retried
       << " needed more than one attempt\n";
+  for (std::size_t i = 0; i < study.scenes.size(); ++i)
+    if (study.scenes[i].status != ClosureStatus::Converged || study.scenes[i].crossing)
+      out << "scene " << i << ": " << to_string(study.scenes[i].status)
+          << (study.scenes[i].crossing ? ", crossed\n" : "\n");
   if (options.predicted)
     out << study.not_predicted
         << " could not be predicted; besides, the seven closures around each: "
         << study.frames_per_second_per_core << " scenes a second and core\n";
   if (!options.accuracy) return;
   out << "Distance from their own end state (residual 1e-6): rms median " << quantile(rms, 0.5)
-      << ", 90 % below " << quantile(rms, 0.9) << " mm; orifice 90 % below "
-      << quantile(orifice, 0.9) << " mm2\n"
+      << ", 90 % below " << quantile(rms, 0.9) << " mm; leak 90 % below " << quantile(leak, 0.9)
+      << " mm2\n"
       << study.other_equilibria << " of " << study.compared
       << " settle elsewhere (0.05 mm rms or more) when closed differently; their leaks differ by "
       << study.leak_difference_p90_mm2 << " (90 % below), at most by "
@@ -66,17 +72,22 @@ Expected<std::optional<AccuracyTier>> apply_accuracy(std::optional<double> accur
   const TierError& error = error_of(*tier, closure.membrane);
   std::cerr << "coapt-lab: accuracy: residual " << tier->residual_tolerance << ", predicted way "
             << tier->way_tolerance_mm << " mm, membrane " << to_string(closure.membrane)
-            << ": orifice within " << error.p99_mm2 << " mm2 of this mesh's own end in 99 of 100 "
+            << ": leak within " << error.p99_mm2 << " mm2 of this mesh's own end in 99 of 100 "
             << "measured scenes, " << error.max_mm2 << " in all, at " << error.relative_time
             << " times the default's time; the error of the mesh is another\n";
   return std::optional<AccuracyTier>(*tier);
 }
 
-/// The one that is named, or anatomies that no preset resembles, one for each scene.
+/// The one that is named, all presets, or anatomies that no preset resembles, one for each scene.
 Expected<std::vector<Valve>> read_valves(const BenchArguments& arguments) {
   if (arguments.valve == kAnatomies)
     return random_anatomies(arguments.study.count, arguments.study.seed, arguments.study.threads)
         .valves;
+  if (arguments.valve == kPresets) {
+    std::vector<Valve> valves;
+    for (const std::string& name : preset_names()) valves.push_back(*make_preset(name));
+    return valves;
+  }
   const Expected<Valve> valve = read_valve_argument(arguments.valve);
   if (!valve) return valve.errors();
   return std::vector<Valve>{*valve};
@@ -124,9 +135,11 @@ void add_bench_closures(Command parent, int& status) {
       parent.add_command("closures", "Close many variations of a valve: speed and accuracy");
   ClosureStudyOptions& study = arguments->study;
   command
-      .add_option("valve", arguments->valve,
-                  std::string(kValveHelp) +
-                      "; or anatomies: as many random ones as scenes, drawn from the seed")
+      .add_option(
+          "valve", arguments->valve,
+          std::string(kValveHelp) +
+              "; or presets: all of them in turn; or anatomies: as many random ones as scenes, "
+              "drawn from the seed")
       .required();
   command.add_option("--count", study.count, "How many variations")
       .check(number_from(1, 1'000'000))
@@ -141,7 +154,7 @@ void add_bench_closures(Command parent, int& status) {
   add_membrane_option(command, study.closure.membrane);
   command
       .add_option("--accuracy", arguments->accuracy_mm2,
-                  "Largest error of the orifice from stopping early, mm2, in 99 of 100 scenes: "
+                  "Largest error of the leak from stopping early, mm2, in 99 of 100 scenes: "
                   "uses the fastest tolerances measured to keep it (method fast)")
       .check(number_from(0.0, std::numeric_limits<double>::max()))
       .show_argument("MM2");
@@ -155,18 +168,16 @@ void add_bench_closures(Command parent, int& status) {
                    "these are timed by themselves; compared with a cold start");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "Variations: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to 6 "
-      "mm,\n"
-      "rings and papillary sutures on 40 % each. Times are of whole closures from the open state\n"
-      "(with --warm and --predicted: from neighbours, of a prepared valve), including further "
-      "attempts and crossing "
-      "tests. Exit code "
-      "3\n"
-      "if a closure did not converge or leaflets cross.\n\n"
+      "Variations: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to\n"
+      "6 mm, rings and papillary sutures on 40 % each. Times are the processor's, of whole\n"
+      "closures from the open state (with --warm and --predicted: from neighbours, of a\n"
+      "prepared valve), further attempts and crossing tests included. Exit code 3 if a closure\n"
+      "did not converge or leaflets cross.\n\n"
       "Examples:\n"
       "  coapt-lab bench closures human-normal --count 200\n"
       "  coapt-lab bench closures human-normal --count 200 --warm\n"
       "  coapt-lab bench closures human-normal --count 200 --predicted\n"
+      "  coapt-lab bench closures presets --count 300\n"
       "  coapt-lab bench closures anatomies --count 100 --seed 7\n"
       "  coapt-lab bench closures porcine-1 --count 20 --method thesis --json");
   command.on_run([arguments, &status] { status = run(*arguments); });

@@ -74,7 +74,7 @@ void add_ablation(Command chart, int& status) {
       .check(number_from(1, 100))
       .show_default();
   command.footer(
-      "Shows what each ingredient contributes (change of orifice and shape against the full "
+      "Shows what each ingredient contributes (change of leak and shape against the full "
       "model)\n"
       "and what it costs (time of a whole closure, measured alternately with the full model's).\n"
       "Takes a few minutes on one core.\n\n"

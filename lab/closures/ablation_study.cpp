@@ -1,13 +1,12 @@
 #include "lab/closures/ablation_study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/metrics/leak.h"
-#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
 #include "lab/closures/matching_points.h"
+#include "lab/closures/processor_time.h"
 #include "search/evaluator.h"
 
 namespace coapt {
@@ -18,30 +17,29 @@ constexpr double kOnce_seconds = 0.5;  // longer closures are timed once
 struct Closed {
   AblatedModel model;
   ClosureResult closure;
-  double orifice_mm2 = 0.0, leak_mm2 = 0.0;
+  double leak_mm2 = 0.0;
 };
 
 Closed close(const AblatedModel& model) {
-  Closed closed{model, close_valve(model.valve, model.closure), 0.0, 0.0};
-  closed.orifice_mm2 = orifice_mm2(model.valve, closed.closure.closed_mm);
-  closed.leak_mm2 = measure_leak(model.valve, closed.closure.closed_mm).area_mm2;
-  if (!model.mean_of_samples) return closed;
+  Closed closed{model, close_valve(model.valve, model.closure), 0.0};
+  if (!model.mean_of_samples) {
+    closed.leak_mm2 = measure_leak(model.valve, closed.closure.closed_mm).area_mm2;
+    return closed;
+  }
   Points mean = Points::Zero(closed.closure.closed_mm.rows(), 3);
-  closed.orifice_mm2 = 0.0;
   for (const Points& sample : closed.closure.samples_mm) {
     mean += sample;
-    closed.orifice_mm2 +=
-        orifice_mm2(model.valve, sample) / static_cast<double>(closed.closure.samples_mm.size());
+    closed.leak_mm2 += measure_leak(model.valve, sample).area_mm2 /
+                       static_cast<double>(closed.closure.samples_mm.size());
   }
   closed.closure.closed_mm = mean / static_cast<double>(closed.closure.samples_mm.size());
   return closed;
 }
 
 double seconds_of(const AblatedModel& model) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const double start = processor_seconds();
   close_valve(model.valve, model.closure);
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return processor_seconds() - start;
 }
 
 void time_closures(const AblatedModel& full, const AblatedModel& changed, int repeats,
@@ -78,8 +76,7 @@ AblationOutcome compare(const Closed& full, const Ablation& ablation, const Abla
   outcome.crossing = changed.closure.crossing;
   outcome.attempts = static_cast<int>(changed.closure.attempts.size());
   outcome.compared = trusted(full.closure) && trusted(changed.closure);
-  outcome.full_orifice_mm2 = full.orifice_mm2;
-  outcome.orifice_change_mm2 = changed.orifice_mm2 - full.orifice_mm2;
+  outcome.full_leak_mm2 = full.leak_mm2;
   outcome.leak_change_mm2 = changed.leak_mm2 - full.leak_mm2;
   outcome.rms_mm = rms_apart_mm(full, changed);
   time_closures(full.model, model, repeats, outcome);

@@ -1,4 +1,4 @@
-// What each ingredient of the model buys, in orifice and shape, and what it costs in time.
+// What each ingredient of the model buys, in leak and shape, and what it costs in time.
 #pragma once
 
 #include <functional>
@@ -26,10 +26,10 @@ struct AblationOutcome {
   bool crossing = false;
   int attempts = 0;
   bool compared = false;  ///< both closures are converged and uncrossed
-  double full_orifice_mm2 = 0.0, orifice_change_mm2 = 0.0;
-  double leak_change_mm2 = 0.0;  ///< of the least surface (core/metrics/leak.h)
+  double full_leak_mm2 = 0.0,
+         leak_change_mm2 = 0.0;  ///< of the least surface (core/metrics/leak.h)
   double rms_mm = 0.0;           ///< between the leaflets, at the vertices of the full model
-  double seconds = 0.0;          ///< of the changed closure, reruns included
+  double seconds = 0.0;          ///< processor time of the changed closure, reruns included
   double time_ratio = 0.0;       ///< to a closure of the full model right before, median
 };
 

@@ -1,14 +1,15 @@
 #include "lab/closures/accuracy_study.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
-#include "core/metrics/orifice.h"
+#include "core/metrics/leak.h"
 #include "core/metrics/quantile.h"
 #include "core/presets/presets.h"
 #include "lab/closures/closure_study.h"
 #include "lab/closures/matching_points.h"
+#include "lab/closures/processor_time.h"
+#include "lab/leak/reference_leak.h"
 #include "search/evaluator.h"
 
 namespace coapt {
@@ -20,7 +21,7 @@ constexpr double kLongClosure_seconds = 1.0;
 
 struct Reference {
   ClosedMesh mesh;
-  double orifice_mm2 = 0.0;
+  double leak_mm2 = 0.0;
 };
 
 Reference make_reference(const std::string& preset, int triangles) {
@@ -30,11 +31,12 @@ Reference make_reference(const std::string& preset, int triangles) {
       close_valve(reference.mesh.valve, to_the_end({.membrane = Membrane::Continuum}));
   reference.mesh.coordinates = leaflet_coordinates(reference.mesh.valve);
   reference.mesh.closed_mm = closed.closed_mm;
-  reference.orifice_mm2 = coapt::orifice_mm2(reference.mesh.valve, closed.closed_mm);
+  reference.leak_mm2 =
+      reference_leak(leak_surface(reference.mesh.valve, closed.closed_mm)).area_mm2;
   if (!trusted(closed)) {
     // Nothing can be told against it.
     reference.mesh.closed_mm.setConstant(std::numeric_limits<double>::quiet_NaN());
-    reference.orifice_mm2 = std::numeric_limits<double>::quiet_NaN();
+    reference.leak_mm2 = std::numeric_limits<double>::quiet_NaN();
   }
   return reference;
 }
@@ -53,8 +55,7 @@ std::vector<AccuracyCase> cases(const AccuracyStudyOptions& options) {
 }
 
 AccuracyPoint close_case(const AccuracyCase& of, const Valve& valve, const Points& there,
-                         const ClosureResult& end, double reference_orifice_mm2) {
-  using Clock = std::chrono::steady_clock;
+                         const ClosureResult& end, double reference_leak_mm2) {
   ClosureOptions options;
   options.method = of.method;
   options.membrane = of.membrane;
@@ -66,9 +67,9 @@ AccuracyPoint close_case(const AccuracyCase& of, const Valve& valve, const Point
   std::vector<double> seconds;
   ClosureResult closed;
   do {
-    const auto start = Clock::now();
+    const double start = processor_seconds();
     closed = close_valve(valve, options);
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    seconds.push_back(processor_seconds() - start);
   } while (seconds.back() < kLongClosure_seconds && seconds.size() < kRepeats);
   point.seconds = quantile(seconds, 0.5);
   point.status = closed.status;
@@ -76,10 +77,10 @@ AccuracyPoint close_case(const AccuracyCase& of, const Valve& valve, const Point
   const Eigen::VectorXd apart = (closed.closed_mm - there).rowwise().norm();
   point.rms_mm = std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size()));
   point.max_mm = apart.maxCoeff();
-  point.orifice_error_mm2 = orifice_mm2(valve, closed.closed_mm) - reference_orifice_mm2;
+  point.leak_error_mm2 = measure_leak(valve, closed.closed_mm).area_mm2 - reference_leak_mm2;
   const ClosureError own = closure_error(valve, closed, end);
   point.own_rms_mm = own.rms_mm;
-  point.own_orifice_error_mm2 = own.orifice_mm2;
+  point.own_leak_error_mm2 = own.leak_mm2;
   return point;
 }
 
@@ -108,7 +109,7 @@ std::vector<AccuracyPoint> study_accuracy(const AccuracyStudyOptions& options,
         end = close_valve(valve, to_end);
       }
       last = &of;
-      points.push_back(close_case(of, valve, there, end, reference.orifice_mm2));
+      points.push_back(close_case(of, valve, there, end, reference.leak_mm2));
       points.back().scene = preset;
       if (progress) progress(static_cast<int>(points.size()), planned);
     }

@@ -25,11 +25,12 @@ struct AccuracyPoint {
   int triangles = 0;
   ClosureStatus status = ClosureStatus::StepLimit;
   bool crossing = false;
-  double seconds = 0.0;  ///< median of three closures (one if it takes longer than a second)
+  /// Processor time, median of three closures (one if it takes longer than a second).
+  double seconds = 0.0;
   double rms_mm = 0.0, max_mm = 0.0;
-  double orifice_error_mm2 = 0.0;      ///< orifice less that of the reference
-  double own_rms_mm = 0.0;             ///< from its own end (residual 1e-6)
-  double own_orifice_error_mm2 = 0.0;  ///< likewise
+  double leak_error_mm2 = 0.0;      ///< leak less that of the reference
+  double own_rms_mm = 0.0;          ///< from its own end (residual 1e-6)
+  double own_leak_error_mm2 = 0.0;  ///< likewise
 };
 
 /// The presets and cases of the chart; `finest`: triangles of the reference (membrane continuum,

@@ -1,6 +1,5 @@
 #include "lab/closures/closure_study.h"
 
-#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -8,8 +7,8 @@
 #include "core/closure/predicted_start.h"
 #include "core/closure/prepared_valve.h"
 #include "core/metrics/measure.h"
-#include "core/metrics/orifice.h"
 #include "core/metrics/quantile.h"
+#include "lab/closures/processor_time.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
@@ -38,10 +37,6 @@ std::optional<ClosureResult> start_within(const Valve& scene, const SceneFrame& 
 }
 
 SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
   SceneOutcome outcome;
   // Who closes neighbours has prepared their valve (searches, studies); cold closures prepare it.
   std::optional<PreparedValve> prepared;
@@ -53,11 +48,11 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
     neighbour = close_valve(*prepared, neighbour_of(scene, options.seed, index), options.closure);
   if (options.predicted) {
     frame = frame_of(scene, options.seed, index);
-    const auto before = Clock::now();
+    const double before = processor_seconds();
     around = close_frame(*prepared, frame, options.closure);
-    outcome.frame_seconds = seconds_since(before);
+    outcome.frame_seconds = processor_seconds() - before;
   }
-  const auto start = Clock::now();
+  const double start = processor_seconds();
   if (options.predicted) {
     neighbour = start_within(scene, frame, around);
     outcome.predicted = neighbour.has_value();
@@ -66,7 +61,7 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
   const ClosureResult* from = neighbour ? &*neighbour : nullptr;
   const ClosureResult closed = prepared ? close_valve(*prepared, scene, options.closure, from)
                                         : close_valve(scene, options.closure);
-  outcome.seconds = seconds_since(start);
+  outcome.seconds = processor_seconds() - start;
   outcome.status = closed.status;
   outcome.crossing = closed.crossing;
   outcome.steps = closed.steps;
@@ -97,7 +92,6 @@ ClosureError closure_error(const Valve& valve, const ClosureResult& a, const Clo
   const Eigen::VectorXd apart = (a.closed_mm - b.closed_mm).rowwise().norm();
   const ValveMeasure of_a = measure(valve, a), of_b = measure(valve, b);
   return {std::sqrt(apart.squaredNorm() / static_cast<double>(apart.size())), apart.maxCoeff(),
-          orifice_mm2(valve, a.closed_mm) - orifice_mm2(valve, b.closed_mm),
           of_a.leak.area_mm2 - of_b.leak.area_mm2,
           of_a.coaptation.height_mean_mm - of_b.coaptation.height_mean_mm};
 }

@@ -26,8 +26,7 @@ struct ClosureStudyOptions {
 /// Distances over the leaflet vertices.
 struct ClosureError {
   double rms_mm = 0.0, max_mm = 0.0;
-  double orifice_mm2 = 0.0;  ///< of the leaflets with their half thickness
-  double leak_mm2 = 0.0;
+  double leak_mm2 = 0.0;              ///< of the least surface (core/metrics/leak.h)
   double coaptation_height_mm = 0.0;  ///< of the mean
 };
 
@@ -35,7 +34,8 @@ struct SceneOutcome {
   ClosureStatus status = ClosureStatus::StepLimit;
   bool crossing = false;
   int steps = 0, attempts = 0;
-  double seconds = 0.0;  ///< of the closure, reruns and crossing tests included
+  /// Processor time of the closure, reruns and crossing tests included.
+  double seconds = 0.0;
   /// Predicted: of the closures that it was predicted from, one from the open state, six from that.
   double frame_seconds = 0.0;
   bool predicted = false;   ///< else from the frame's middle: the frame or the prediction failed

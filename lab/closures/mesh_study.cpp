@@ -1,6 +1,5 @@
 #include "lab/closures/mesh_study.h"
 
-#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <sstream>
@@ -9,6 +8,7 @@
 #include "core/presets/presets.h"
 #include "core/valve/refine.h"
 #include "lab/closures/matching_points.h"
+#include "lab/closures/processor_time.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
@@ -67,14 +67,13 @@ std::vector<Scene> scenes_of(const MeshStudyOptions& options) {
 }
 
 ClosedScene close_scene(const Expected<Valve>& valve, const MeshStudyOptions& options) {
-  using Clock = std::chrono::steady_clock;
   ClosedScene closed;
   if (!valve) return closed;
   ClosureOptions closure;
   closure.membrane = options.membrane;
-  const auto start = Clock::now();
+  const double start = processor_seconds();
   const ClosureResult result = close_valve(*valve, closure);
-  closed.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  closed.seconds = processor_seconds() - start;
   closed.trusted = coapt::trusted(result);
   closed.mesh = {*valve, {}, result.closed_mm};
   closed.measure = measure(*valve, result);

@@ -1,6 +1,5 @@
 #include "lab/closures/stability_level.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +8,7 @@
 #include "core/closure/residual.h"
 #include "core/metrics/measure.h"
 #include "lab/closures/closure_study.h"
+#include "lab/closures/processor_time.h"
 #include "search/evaluator.h"
 
 namespace coapt {
@@ -17,12 +17,6 @@ namespace {
 constexpr double kGranted = 1.5;  // of the residual, see kStabilityResidual
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kEndSteps = 20000;
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -40,9 +34,9 @@ StabilityLevel::StabilityLevel(const StabilityScene& scene)
 StabilityCell StabilityLevel::close(const StabilityMethod& method) const {
   StabilityCell cell;
   cell.method = method.name;
-  const auto start = Clock::now();
+  const double start = processor_seconds();
   const ClosureRun run = method.close(model_, attempt_);
-  cell.seconds = seconds_since(start);
+  cell.seconds = processor_seconds() - start;
   cell.steps = run.steps;
   judge(run, attempt_.contact, cell);
   return cell;
@@ -52,9 +46,9 @@ StabilityCell StabilityLevel::close_with_ladder() const {
   StabilityCell cell;
   cell.method = kLadderName;
   ClosureRun run;
-  const auto start = Clock::now();
+  const double start = processor_seconds();
   const ClosureResult closed = close_valve(scene_.valve, options_);
-  cell.seconds = seconds_since(start);
+  cell.seconds = processor_seconds() - start;
   cell.steps = closed.steps;
   cell.attempts = static_cast<int>(closed.attempts.size());
   run.status = closed.status;
@@ -79,7 +73,7 @@ Points StabilityLevel::all_nodes(const ClosureResult& closed) const {
 
 void StabilityLevel::judge(const ClosureRun& run, const ContactLaw& contact,
                            StabilityCell& cell) const {
-  cell.from_reference_mm = cell.end_from_reference_mm = cell.orifice_difference_mm2 = kNone;
+  cell.from_reference_mm = cell.end_from_reference_mm = cell.leak_difference_mm2 = kNone;
   if (run.status == ClosureStatus::Diverged || has_diverged(run.x_mm)) {
     cell.outcome = StabilityOutcome::BlowsUp;
     cell.residual = kNone;
@@ -106,7 +100,7 @@ void StabilityLevel::compare(const ClosureRun& run, const ContactLaw& contact,
   answer.samples_mm = {answer.closed_mm};
   const ClosureError error = closure_error(scene_.valve, answer, reference_);
   cell.from_reference_mm = cell.end_from_reference_mm = error.rms_mm;
-  cell.orifice_difference_mm2 = error.orifice_mm2;
+  cell.leak_difference_mm2 = error.leak_mm2;
   if (error.rms_mm <= kOtherEquilibrium_mm) return;
   // Stopped early, or on the way to somewhere else?
   const ClosureOptions to_end = to_the_end({});

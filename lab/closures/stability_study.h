@@ -50,7 +50,7 @@ struct StabilityCell {
   /// What follows is NaN unless the closure settled uncrossed and the scene has a reference: distance of
   /// the answer from the reference and, if that is far, of the answer carried to residual 1e-6.
   double from_reference_mm = 0.0, end_from_reference_mm = 0.0;  ///< rms
-  double orifice_difference_mm2 = 0.0;
+  double leak_difference_mm2 = 0.0;
 };
 
 struct StabilityStudyOptions {

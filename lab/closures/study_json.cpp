@@ -15,17 +15,17 @@ Json spread(const std::vector<double>& values) {
 }
 
 Json errors(const std::vector<ClosureError>& all) {
-  std::vector<double> rms, max, orifice, height;
+  std::vector<double> rms, max, leak, height;
   for (const ClosureError& error : all) {
     rms.push_back(error.rms_mm);
     max.push_back(error.max_mm);
-    orifice.push_back(std::abs(error.orifice_mm2));
+    leak.push_back(std::abs(error.leak_mm2));
     height.push_back(std::abs(error.coaptation_height_mm));
   }
   return {{"scenes", all.size()},
           {"rms_mm", spread(rms)},
           {"max_mm", spread(max)},
-          {"orifice_mm2", spread(orifice)},
+          {"leak_mm2", spread(leak)},
           {"coaptation_height_mm", spread(height)}};
 }
 
@@ -74,8 +74,8 @@ Json to_json(const AccuracyTier& tier, Membrane membrane) {
   const TierError& error = error_of(tier, membrane);
   return {{"residual_tolerance", tier.residual_tolerance},
           {"way_tolerance_mm", tier.way_tolerance_mm},
-          {"orifice_error_p99_mm2", error.p99_mm2},
-          {"orifice_error_max_mm2", error.max_mm2},
+          {"leak_error_p99_mm2", error.p99_mm2},
+          {"leak_error_max_mm2", error.max_mm2},
           {"scenes", kAccuracyScenes},
           {"of", "stopping early on this mesh; not of the mesh"}};
 }

@@ -11,7 +11,7 @@ namespace coapt {
 /// other_equilibria.
 Json to_json(const ClosureStudyOptions& options, const ClosureStudy& study);
 
-/// {"residual_tolerance", "way_tolerance_mm", "orifice_error_p99_mm2", "orifice_error_max_mm2",
+/// {"residual_tolerance", "way_tolerance_mm", "leak_error_p99_mm2", "leak_error_max_mm2",
 /// "scenes", "of"}: the tolerances of a tier and the errors that were measured for them.
 Json to_json(const AccuracyTier& tier, Membrane membrane);
 

@@ -1,10 +1,9 @@
-// The table of core/closure/accuracy.cpp: error of the orifice and time of closures at each tier's
+// The table of core/closure/accuracy.cpp: error of the leak and time of closures at each tier's
 // tolerances, over varied scenes of five presets. Prints CSV: membrane, residual tolerance, way
 // tolerance, scenes compared, |error| median, 90 %, 99 % and largest (mm2), time over that of the default.
 // Usage: tolerances [SCENES_OF_EACH_PRESET [TRIANGLES]]   (default 100 and the preset's own number; about
-// five minutes on one core)
+// ten minutes on one core)
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -12,11 +11,12 @@
 #include <vector>
 
 #include "core/closure/accuracy.h"
-#include "core/metrics/orifice.h"
+#include "core/metrics/leak.h"
 #include "core/metrics/quantile.h"
 #include "core/presets/presets.h"
 #include "io/json/plan_json.h"
 #include "lab/closures/closure_study.h"
+#include "lab/closures/processor_time.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
 #include "search/parallel.h"
@@ -34,16 +34,15 @@ struct Outcome {
 
 /// One for each tier.
 std::vector<Outcome> close_at_tiers(const Valve& valve, const ClosureOptions& options) {
-  using Clock = std::chrono::steady_clock;
   const ClosureResult end = close_valve(valve, to_the_end(options));
-  const double truth = orifice_mm2(valve, end.closed_mm);
+  const double truth = measure_leak(valve, end.closed_mm).area_mm2;
   std::vector<Outcome> outcomes;
   for (const AccuracyTier& tier : accuracy_tiers()) {
-    const auto start = Clock::now();
+    const double start = processor_seconds();
     const ClosureResult closed = close_valve(valve, at_tier(options, tier));
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    outcomes.push_back(
-        {trusted(end) && trusted(closed), orifice_mm2(valve, closed.closed_mm) - truth, seconds});
+    const double seconds = processor_seconds() - start;
+    outcomes.push_back({trusted(end) && trusted(closed),
+                        measure_leak(valve, closed.closed_mm).area_mm2 - truth, seconds});
   }
   return outcomes;
 }

@@ -8,7 +8,7 @@
 namespace coapt {
 namespace {
 
-AblationOutcome outcome(const char* change, double orifice_mm2) {
+AblationOutcome outcome(const char* change, double leak_mm2) {
   AblationOutcome outcome;
   outcome.group = "tissue";
   outcome.change = change;
@@ -16,8 +16,8 @@ AblationOutcome outcome(const char* change, double orifice_mm2) {
   outcome.status = ClosureStatus::Converged;
   outcome.attempts = 2;
   outcome.compared = true;
-  outcome.full_orifice_mm2 = 8.0;
-  outcome.orifice_change_mm2 = orifice_mm2;
+  outcome.full_leak_mm2 = 8.0;
+  outcome.leak_change_mm2 = leak_mm2;
   outcome.rms_mm = 0.5;
   outcome.seconds = 0.01;
   outcome.time_ratio = 2.0;
@@ -27,9 +27,9 @@ AblationOutcome outcome(const char* change, double orifice_mm2) {
 TEST(AblationTable, HasTheColumnsThatScriptsRelyOnAndOneLineAnOutcome) {
   const std::string csv = ablation_csv({outcome("a", -3.0), outcome("b", 1.5)});
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "group,change,scene,status,crossing,attempts,compared,full_orifice_mm2,"
-            "orifice_change_mm2,leak_change_mm2,rms_mm,seconds,time_ratio");
-  EXPECT_NE(csv.find("tissue,a,s,converged,false,2,true,8,-3,0,0.5,0.01,2\n"), std::string::npos);
+            "group,change,scene,status,crossing,attempts,compared,full_leak_mm2,"
+            "leak_change_mm2,rms_mm,seconds,time_ratio");
+  EXPECT_NE(csv.find("tissue,a,s,converged,false,2,true,8,-3,0.5,0.01,2\n"), std::string::npos);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 }
 
@@ -41,7 +41,7 @@ AccuracyPoint point(double seconds, double rms_mm) {
   point.status = ClosureStatus::Converged;
   point.seconds = seconds;
   point.rms_mm = rms_mm;
-  point.orifice_error_mm2 = -rms_mm;
+  point.leak_error_mm2 = -rms_mm;
   return point;
 }
 
@@ -49,7 +49,7 @@ TEST(AccuracyTable, HasTheColumnsThatScriptsRelyOnAndOneLineAPoint) {
   const std::string csv = accuracy_csv({point(0.01, 0.5), point(0.1, 0.25)});
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "scene,method,membrane,triangles,tolerance,status,crossing,seconds,rms_mm,max_mm,"
-            "orifice_error_mm2,own_rms_mm,own_orifice_error_mm2");
+            "leak_error_mm2,own_rms_mm,own_leak_error_mm2");
   EXPECT_NE(csv.find("s,fast,springs,648,0.01,converged,false,0.01,0.5,0,-0.5,0,0\n"),
             std::string::npos);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
@@ -71,12 +71,12 @@ StabilityCell cell(const std::string& method, double level, StabilityOutcome out
 
 TEST(StabilityTable, HasTheColumnsThatScriptsRelyOnAndNothingForNoNumber) {
   StabilityCell lost = cell("m", 100.0, StabilityOutcome::BlowsUp);
-  lost.residual = lost.from_reference_mm = lost.end_from_reference_mm =
-      lost.orifice_difference_mm2 = std::numeric_limits<double>::quiet_NaN();
+  lost.residual = lost.from_reference_mm = lost.end_from_reference_mm = lost.leak_difference_mm2 =
+      std::numeric_limits<double>::quiet_NaN();
   const std::string csv = stability_csv({cell("m", 16.0, StabilityOutcome::Settles), lost});
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "scene,axis,level,nominal,method,outcome,steps,seconds,residual,crossing_pairs,"
-            "attempts,from_reference_mm,end_from_reference_mm,orifice_difference_mm2");
+            "attempts,from_reference_mm,end_from_reference_mm,leak_difference_mm2");
   EXPECT_NE(csv.find("s,pressure,16,true,m,settles,100,0.5,0.25,0,1,0,0,0\n"), std::string::npos);
   EXPECT_NE(csv.find("s,pressure,100,false,m,blows_up,100,0.5,,0,1,,,\n"), std::string::npos);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);

@@ -80,7 +80,7 @@ TEST(AblationStudy, ClosesEverySceneInEveryWayAndFindsTheTransitionToMatter) {
       EXPECT_LT(outcome.rms_mm, 1e-6);
     }
     if (outcome.change == "linear: modulus after transition") {
-      EXPECT_GT(outcome.orifice_change_mm2, 20.0);
+      EXPECT_GT(outcome.leak_change_mm2, 20.0);
     }
   }
 }

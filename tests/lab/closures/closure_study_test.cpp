@@ -37,7 +37,7 @@ TEST(ClosureStudy, IsTheSameForAnyNumberOfThreadsButForTheTimes) {
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(one.scenes[i].steps, two.scenes[i].steps);
     EXPECT_EQ(one.scenes[i].from_end.rms_mm, two.scenes[i].from_end.rms_mm);
-    EXPECT_EQ(one.scenes[i].from_other.orifice_mm2, two.scenes[i].from_other.orifice_mm2);
+    EXPECT_EQ(one.scenes[i].from_other.leak_mm2, two.scenes[i].from_other.leak_mm2);
   }
   EXPECT_EQ(one.unconverged + one.crossed, 0);
   EXPECT_GT(one.closures_per_second_per_core, 0.0);

@@ -15,6 +15,12 @@ class BenchClosures(ProgramTest):
         self.assertEqual(bench.returncode, OK, bench.stderr)
         self.assertEqual(json.loads(bench.stdout)["accuracy"]["residual_tolerance"], 0.1)
 
+    def test_all_presets_are_closed_in_turn(self):
+        bench = coapt_lab("bench", "closures", "presets", "--count", "15", "--no-accuracy")
+        self.assertEqual(bench.returncode, OK, bench.stderr)
+        self.assertIn("15 closures: ", bench.stdout)
+        self.assertNotIn("scene", bench.stdout)
+
     def test_warm_starts_of_method_thesis_are_refused(self):
         result = coapt_lab(*CLOSURES, "--warm", "--method", "thesis")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
