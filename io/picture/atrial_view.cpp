@@ -170,20 +170,27 @@ void draw_atrial_view(const Canvas& canvas, const ViewFrame& frame, const Closed
 void draw_open_atrial_view(const Canvas& canvas, const ViewFrame& frame, const ClosedValve& open) {
   if (!open.closure.closed_mm.allFinite()) return draw_unknown(canvas, frame);
   const AnnulusFrame plane = annulus_frame(open.valve, AnnulusAxis::Commissures);
+  const Leak& leak = open.measure.leak;
   draw_view(canvas, frame, open, plane,
             {[&](const Canvas& large, const Mapping& map) {
                set_colour(large, kVentricle);
                cairo_paint(large.context.get());
                paint_chordae(large, open, plane, map);
-               paint_openings(large, open.measure.leak, plane, map, kOverChordae);
+               paint_openings(large, leak, plane, map, kOverChordae);
              },
-             [](const Canvas&, const Mapping&) {}, true,
+             [&](const Canvas& large, const Mapping& map) {
+               draw_rims_of_openings(large, leak, plane, map);
+             },
+             true,
              [&](const Mapping& map) {
-               draw_rims_of_openings(canvas, open.measure.leak, plane, map);
-               for (const LeakOpening& opening : open.measure.leak.openings)
+               for (const LeakOpening& opening : leak.openings) {
+                 // Specks beside the only opening count in the area that words give.
+                 const double area_mm2 =
+                     leak.openings.size() == 1 ? leak.area_mm2 : opening.area_mm2;
                  draw_text(canvas, map(project(plane, opening.centroid_mm)),
-                           fixed(0.01 * opening.area_mm2, 1) + " cm²",
+                           fixed(0.01 * area_mm2, 1) + " cm²",
                            {20.0, palette::kOrifice, Align::Centre, true, 4.0});
+               }
              }});
 }
 

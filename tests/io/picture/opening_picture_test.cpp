@@ -37,6 +37,19 @@ TEST(OpeningPicture, ShowsTheOpeningInBothViewsWhereItIsKnown) {
   EXPECT_FALSE(drawn().pixels.empty());
 }
 
+TEST(OpeningPicture, DrawsNoRimBehindTheAtriumsWall) {
+  const Valve& valve = small_preset("human-normal");
+  OpenedValve opened = *open_valve(valve);
+  const auto blue = [&] {
+    return blue_pixels(decode_png(opening_picture_png(opened, valve, {})), 0, 960);
+  };
+  for (LeakOpening& opening : opened.leak.openings)
+    opening.surface.points_mm.col(1).array() += 60.0;
+  const long beyond = blue();
+  for (LeakOpening& opening : opened.leak.openings) opening.surface = {};
+  EXPECT_EQ(beyond, blue());
+}
+
 TEST(OpeningPicture, ARepairedValveHasItsRing) {
   const Valve& valve = small_preset("human-normal");
   const RepairPlan plan{{Annuloplasty{CatalogueRing{"generic-classic", 28.0}}}};
