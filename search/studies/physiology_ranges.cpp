@@ -9,9 +9,9 @@ constexpr const char* kAnnularDepth =
     "Gogoladze 2010, Ann Thorac Surg 89:1158: 5.0 ± 0.7 in 10 normal, 8.6 ± 0.7 mm in 10 "
     "functional valves (3D TEE; from which line it does not say; two sd)";
 constexpr const char* kCoaptation =
-    "Gogoladze 2010, Ann Thorac Surg 89:1158: anterior leaflet 3.1 ± 0.4 in 10 normal (3.2 ± 0.7 "
-    "at "
-    "A2), 1.7 ± 0.4 mm in 10 functional valves (3D TEE; two sd)";
+    "Gogoladze 2010, Ann Thorac Surg 89:1158: anterior leaflet, mean of three places 3.1 ± 0.4 in "
+    "10 normal and 1.7 ± 0.4 mm in 10 functional valves; at A2 3.2 ± 0.7 in the normal ones, not "
+    "published of the functional ones (3D TEE; two sd)";
 constexpr const char* kMuscles =
     "Askov 2013, 8 pigs: 5.9 and 5.8 N at 90 mmHg, 1.7 times the closing force; lower end assumed";
 constexpr const char* kStrain =
@@ -69,15 +69,8 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
        "effective orifice of 40 mm2 and more is severe, 20 to 39 moderate (Zoghbi 2017, J Am Soc "
        "Echocardiogr 30:303); upper end assumed"},
       {"coaptation_length", healthy, human, 1.8, 4.6, kCoaptation},
-      {"coaptation_length", functional, human, 0.9, 2.5, kCoaptation},
       {"coaptation_height", healthy, human, 2.3, 3.9, kCoaptation},
       {"coaptation_height", functional, human, 0.9, 2.5, kCoaptation},
-      {"depth_hinge", healthy, human, 3.6, 9.0,
-       "no depth is published from this line: that below the plane (Gogoladze 2010), with 0 to 2.5 "
-       "mm by which the hinge line lies above it (assumed)"},
-      {"depth_hinge", functional, human, 7.2, 12.5,
-       "no depth is published from this line: that below the plane (Gogoladze 2010), with 0 to 2.5 "
-       "mm by which the hinge line lies above it (assumed)"},
       {"depth_plane", healthy, human, 3.6, 6.4, kAnnularDepth},
       {"depth_plane", functional, human, 7.2, 10.0, kAnnularDepth},
       {"tenting_area", healthy, human, 60.0, 200.0,

@@ -9,20 +9,17 @@ OPEN_EDGES = "open leaflets narrow a small ring less here than in hearts"
 TAUT_OPEN = "leaflets and chordae that closed a smaller annulus stand taut in the wider one of diastole"
 SHORT_EDGES = "free edges are shorter than two holes and a clip need"
 WIDE = "the annulus is wide in diastole, and the flow is that of any adult"
-DEEP = "under a tall saddle the coaptation point lies 0.2 mm too far below the hinge line, not below the plane"
 TETHERED = "leaflets that tips draw outwards open a little less than before clips were set"
 TIPS_OUT = "tips that stand so far out that rings above 32 mm leak are farther apart in diastole than measured"
-AT_A2 = "the leak lies where A2 meets P2; the mean of nine sections is met"
 FALLS = "what prolapses is pressed against the other leaflet: the leak falls more than published"
 SMALL_RINGS = "leaflets softened along the fibres tent a little less and close behind rings above 32 mm"
 LONG_LEAFLETS = "ranges are of healthy hearts: long leaflets coapt over more height, tent less and pull less"
 
 VALVES = {
-    "human-normal": ("healthy", {"depth_hinge": DEEP}),
+    "human-normal": ("healthy", {}),
     "human-functional-mr": (
         "functional",
         {
-            "coaptation_length": AT_A2,
             "papillary_diastole": TIPS_OUT,
             "opening": TETHERED,
             "two_clips_share": SHORT_EDGES,
@@ -32,7 +29,6 @@ VALVES = {
     "secondary-mr": (
         "functional",
         {
-            "coaptation_length": AT_A2,
             "tenting_area": SMALL_RINGS,
             "papillary_diastole": TIPS_OUT,
             "ring_40": SMALL_RINGS,
