@@ -1,7 +1,7 @@
 // What tolerances cost in accuracy: tiers of settings of method fast, each with the error of the
-// orifice that was measured for it.
+// leak that was measured for it.
 //
-// Error: orifice of a closure at the tier's tolerances less that of the same closure carried on in
+// Error: leak of a closure at the tier's tolerances less that of the same closure carried on in
 // double precision to residual 1e-6, on the same mesh of about 650 triangles with the same
 // membrane. It is that of stopping early: neither that of the mesh nor the distance to another
 // equilibrium of the same valve. The largest errors are of single scenes that end in another fold,
@@ -17,7 +17,7 @@
 
 namespace coapt {
 
-/// |Error| of the orifice over kAccuracyScenes varied scenes.
+/// |Error| of the leak over kAccuracyScenes varied scenes.
 struct TierError {
   double p99_mm2 = 0.0, max_mm2 = 0.0;
   double relative_time = 1.0;  ///< of whole closures, 1 at the default tolerances
@@ -28,17 +28,17 @@ struct AccuracyTier {
   TierError springs, continuum;
 };
 
-/// 100 of each of five presets (lab/closures/tolerances.cpp).
-inline constexpr int kAccuracyScenes = 500;
+/// 60 of each of five presets (lab/closures/tolerances.cpp).
+inline constexpr int kAccuracyScenes = 300;
 
 /// Cheapest first; errors of 99 % fall and times rise from tier to tier.
 const std::vector<AccuracyTier>& accuracy_tiers();
 
 const TierError& error_of(const AccuracyTier& tier, Membrane membrane);
 
-/// The cheapest tier that keeps within `orifice_mm2` in 99 of 100 scenes. What no tier keeps, or is
+/// The cheapest tier that keeps within `leak_mm2` in 99 of 100 scenes. What no tier keeps, or is
 /// not a number, is an error at "/accuracy" that names the accepted range.
-Expected<AccuracyTier> choose_tier(double orifice_mm2, Membrane membrane);
+Expected<AccuracyTier> choose_tier(double leak_mm2, Membrane membrane);
 
 /// `options` at a tier's tolerances.
 ClosureOptions at_tier(ClosureOptions options, const AccuracyTier& tier);

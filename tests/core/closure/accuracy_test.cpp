@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/closure/closure.h"
-#include "core/metrics/orifice.h"
+#include "core/metrics/leak.h"
 #include "core/presets/presets.h"
 
 namespace coapt {
@@ -46,29 +46,28 @@ TEST(AccuracyTiers, WhatNoTierKeepsIsAnErrorThatNamesTheRange) {
     ASSERT_FALSE(chosen) << wanted;
     EXPECT_EQ(chosen.errors().front().code, ErrorCode::OutOfRange);
     EXPECT_EQ(chosen.errors().front().path, "/accuracy");
-    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.0042 mm2"),
-              std::string::npos)
+    EXPECT_NE(chosen.errors().front().message.find("must be at least 0.039 mm2"), std::string::npos)
         << chosen.errors().front().message;
   }
 }
 
 TEST(AccuracyTiers, TheDefaultTolerancesAreOneOfThem) {
-  const ClosureOptions plain = at_tier({}, *choose_tier(0.24, Membrane::Springs));
+  const ClosureOptions plain = at_tier({}, *choose_tier(0.34, Membrane::Springs));
   EXPECT_EQ(plain.residual_tolerance, ClosureOptions{}.residual_tolerance);
   EXPECT_EQ(plain.way_tolerance_mm, ClosureOptions{}.way_tolerance_mm);
-  EXPECT_EQ(error_of(*choose_tier(0.24, Membrane::Springs), Membrane::Springs).relative_time, 1.0);
+  EXPECT_EQ(error_of(*choose_tier(0.34, Membrane::Springs), Membrane::Springs).relative_time, 1.0);
 }
 
 TEST(AccuracyTiers, KeepWhatTheyPromiseOnPresets) {
   for (const char* name : {"human-normal", "human-functional-mr", "porcine-5"}) {
     const Valve valve = *make_preset(name);
-    const auto orifice = [&](const ClosureOptions& options) {
-      return orifice_mm2(valve, close_valve(valve, options).closed_mm);
+    const auto leak = [&](const ClosureOptions& options) {
+      return measure_leak(valve, close_valve(valve, options).closed_mm).area_mm2;
     };
     const double end =
-        orifice({.residual_tolerance = 1e-6, .way_tolerance_mm = 1e-4, .max_steps = 100000});
+        leak({.residual_tolerance = 1e-6, .way_tolerance_mm = 1e-4, .max_steps = 100000});
     for (const AccuracyTier& tier : accuracy_tiers())
-      EXPECT_NEAR(orifice(at_tier({}, tier)), end, tier.continuum.max_mm2) << name;
+      EXPECT_NEAR(leak(at_tier({}, tier)), end, tier.continuum.max_mm2) << name;
   }
 }
 
