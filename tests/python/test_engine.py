@@ -1,5 +1,6 @@
 """The engine in this process: arrays, errors, threads, Ctrl-C; what it answers is tested beside the client (client_runs.both)."""
 
+import importlib.util
 import json
 import os
 import signal
@@ -66,19 +67,31 @@ class Arrays(EngineTest):
         error = self.refused(coapt.BadDocument, self.valve.with_arrays, **arrays)
         return [(problem.path, problem.code) for problem in error.problems], str(error)
 
-    def test_arrays_of_another_type_or_shape_are_refused(self):
+    def test_arrays_and_lists_of_any_numbers_are_taken(self):
+        points, faces = self.valve.vertices_mm, self.valve.faces
+        for given in (points.tolist(), points.astype(object).astype(float).copy(order="F"), points[:, ::-1][:, ::-1]):
+            self.assertEqual(self.valve.with_arrays(vertices_mm=given), self.valve)
+        coarse = points.astype(numpy.float32)
+        self.assertTrue((self.valve.with_arrays(vertices_mm=coarse).vertices_mm == coarse.astype(float)).all())
+        for kind in ("int64", "uint16", "int32", ">i4"):
+            self.assertEqual(self.valve.with_arrays(faces=faces.astype(kind)), self.valve)
+        self.assertEqual(self.valve.with_arrays(faces=faces.tolist()), self.valve)
+
+    def test_arrays_of_another_kind_or_shape_are_refused(self):
         points = numpy.array(self.valve.vertices_mm)
-        problems, text = self.refused_arrays(vertices_mm=points.astype(numpy.float32))
-        self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
-        self.assertIn("float32, must be of float64", text)
+        for given, named in ((points.astype(complex), "is an array of complex128"), (points > 0, "is an array of bool"),
+                             ("points", "is a str"), ([[1, 2, 3], [1, 2]], "is a list"), ([["a", "b", "c"]], "is a list")):  # fmt: skip
+            problems, text = self.refused_arrays(vertices_mm=given)
+            self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
+            self.assertIn(named + ", must be an array of numbers, shape (n, 3)", text)
         problems, text = self.refused_arrays(vertices_mm=points[:, :2])
         self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
         self.assertIn(f"({len(points)}, 2), must have (n, 3)", text)
+        self.assertEqual(self.refused_arrays(vertices_mm=numpy.float64(1))[0], [("/vertices_mm", "wrong_type")])
         self.assertEqual(self.refused_arrays(faces=self.valve.faces.astype(float))[0], [("/faces", "wrong_type")])
-        for given, named in ((points.tolist(), "list"), ("points", "str"), (numpy.float64(1), "float64")):
-            problems, text = self.refused_arrays(vertices_mm=given)
-            self.assertEqual(problems, [("/vertices_mm", "wrong_type")])
-            self.assertIn(f"is a {named}, must be an array of float64, shape (n, 3)", text)
+        far = self.valve.faces.astype(numpy.int64)
+        far[4, 1] = 2**32
+        self.assertEqual(self.refused_arrays(faces=far)[0], [("/faces/4", "out_of_range")])
         many = numpy.broadcast_to(points[0], (10**8, 3))  # a row's memory
         problems, text = self.refused_arrays(vertices_mm=many)
         self.assertEqual(problems, [("/vertices_mm", "out_of_range")])
@@ -87,6 +100,81 @@ class Arrays(EngineTest):
         self.assertEqual(self.refused_arrays(vertices_mm=points)[0], [("/vertices_mm/7", "out_of_range")])
         paths = [path for path, _ in self.refused_arrays(faces=self.valve.faces + numpy.int32(1000))[0]]
         self.assertEqual(paths[0], "/faces/0/0")
+
+    def test_what_is_replaced_is_another_valve(self):
+        valve = self.valve
+        self.assertEqual(valve.replace(), valve)
+        raised = valve.replace(pressure_mmhg=150, tissue={"radial_extension": 0.08})
+        self.assertEqual(
+            raised.close().measure, valve.close(pressure_mmhg=150, tissue={"radial_extension": 0.08}).measure
+        )
+        self.assertEqual((valve.replace(name="other").name, valve.name), ("other", "porcine-1"))
+        side = "anterolateral"
+        moved = valve.replace(papillary_mm={side: valve.papillary_mm[side] + numpy.array([0, 0, -3])})
+        numpy.testing.assert_allclose(moved.papillary_mm[side] - valve.papillary_mm[side], [0, 0, -3], atol=1e-12)
+        self.assertTrue((moved.papillary_mm["posteromedial"] == valve.papillary_mm["posteromedial"]).all())
+        fewer = valve.replace(chordae=valve.chordae[1:])
+        self.assertEqual(len(fewer.close().chordae), len(valve.chordae) - 1)
+        self.assertEqual(
+            self.problems(coapt.InvalidRequest, valve.replace, pressure_mmhg=1e6),
+            [("/material/pressure_mmhg", "out_of_range")],
+        )
+        self.assertIn(
+            "anterolateral, posteromedial",
+            str(self.refused(coapt.BadDocument, valve.replace, papillary_mm={"left": [0, 0, 0]})),
+        )
+        self.refused(coapt.BadDocument, valve.replace, chordae=[{"id": "x"}])
+
+    def test_what_was_saved_is_read_by_its_ending(self):
+        closure, file = self.valve.close(Plan(OwnRing(1))), self.folder / "closed.vtk"
+        closure.save(file)
+        self.assertEqual(file.read_bytes(), self.client.export("porcine-1", "vtk", Plan(OwnRing(1))))
+        numpy.testing.assert_allclose(coapt.Mesh.read(file).vertices_mm[:5], closure.closed_mm[:5], atol=1e-3)
+        for ending in ("ply", "obj", "stl", "vtk"):
+            file = self.folder / f"mesh.{ending}"
+            closure.leaflets().save(file)
+            self.assertEqual(len(coapt.Mesh.read(file).faces), len(self.valve.faces))
+        self.valve.save(self.folder / "valve.json")
+        self.assertEqual(coapt.read_valve(self.folder / "valve.json"), self.valve)
+        closure.save(self.folder / "closed.json")
+        self.assertEqual(json.loads((self.folder / "closed.json").read_text()), closure.json)
+        self.assertIn("import_valve()", str(self.refused(coapt.BadDocument, coapt.read_valve, file)))
+        self.assertIn("must end in one of glb", str(self.refused(coapt.BadDocument, closure.save, "x.nothing")))
+        self.refused(coapt.BadDocument, closure.leaflets().save, "x.nothing")
+        self.refused(coapt.BadDocument, coapt.Mesh.read, self.folder / "closed.json")
+        self.refused(coapt.NoSuchFile, coapt.Mesh.read, self.folder / "none.ply")
+
+    def test_fields_are_those_of_the_figures_and_of_the_scene(self):
+        closure = self.valve.close()
+        scene = self.client.scene("porcine-1")
+        self.assertAlmostEqual(closure.tension_n.sum(), closure.measure.tension_sum_n)
+        self.assertEqual(list(closure.chordae), [one["id"] for one in scene["chordae"]])
+        self.assertEqual(closure.segments.tolist(), scene["segments"])
+        numpy.testing.assert_allclose(closure.strain[:, 0], scene["strain"]["circumferential"], atol=6e-5)
+        numpy.testing.assert_allclose(
+            numpy.quantile(closure.strain[:, 1], 0.99), closure.measure.strain_radial_max, rtol=0.05
+        )
+        self.assertTrue(0 < closure.contact.sum() < len(closure.contact))
+        for array in (closure.strain, closure.contact, closure.segments, closure.tension_n):
+            with self.assertRaises(ValueError):
+                array[0] = array[1]
+        mesh = closure.leaflets()
+        self.assertEqual(mesh.point_data["contact"].sum(), closure.contact.sum())
+        self.assertEqual(mesh.cell_data["strain_radial"].tolist(), closure.strain[:, 1].tolist())
+        self.assertEqual(coapt.Mesh(mesh.vertices_mm, mesh.faces).cell_data, {})
+        with self.assertRaisesRegex(coapt.CoaptError, "this process"):
+            coapt.Closure.from_json(closure.json).strain
+
+    @unittest.skipUnless(importlib.util.find_spec("meshio"), "needs meshio")
+    def test_meshio_has_the_data_too(self):
+        mesh = self.valve.close().leaflets()
+        made = mesh.to_meshio()
+        made.write(self.folder / "closed.vtu")
+        import meshio
+
+        read = meshio.read(self.folder / "closed.vtu")
+        numpy.testing.assert_array_equal(read.cell_data["strain_radial"][0], mesh.cell_data["strain_radial"])
+        self.assertEqual(set(read.point_data), {"contact"})
 
     def test_a_file_that_holds_no_valve_is_refused_with_the_place(self):
         other = self.write("other.json", self.valve.to_json() | {"schema": "coapt.valve/9"})
@@ -117,14 +205,13 @@ class Arrays(EngineTest):
         refused = self.problems(coapt.InvalidRequest, coapt.close_many, VALVE, threads=-1)
         self.assertEqual(refused, [("/threads", "out_of_range")])
 
-    def test_points_of_another_type_or_shape_are_not_fitted_to(self):
+    def test_points_of_another_kind_or_shape_are_not_fitted_to(self):
         points = numpy.array(self.valve.vertices_mm)
         broken = points.copy()
         broken[3, 2] = numpy.inf
         for given, problem in (
-            (points.astype(numpy.float32), ("/points_mm", "wrong_type")),
+            (points > 0, ("/points_mm", "wrong_type")),
             (points[:, :2], ("/points_mm", "wrong_type")),
-            (points.tolist(), ("/points_mm", "wrong_type")),
             (broken, ("/points_mm/3", "out_of_range")),
         ):
             self.assertEqual(self.problems(coapt.InvalidRequest, self.valve.fit, given), [problem])

@@ -8,12 +8,13 @@ from unittest import mock
 
 import coapt
 from client_runs import SMALL, ClientTest
-from coapt import Plan, Ring
+from coapt import LeafletPoint, Neochorda, OwnRing, PapillaryApproximation, Plan, Ring
 from programs import SOURCE, small_valve
 
 RING = SOURCE / "examples/plans/ring.json"
 UNITS = ("_mm", "_mm2", "_n", "_deg")
 COUNTS = {"rank", "nodes", "failed_nodes", "valve_number", "plan_number", "number"}
+OF_STEPS = ("_along", "_height", "_sizes_below", "_around", "_rows", "_percent")  # their own units, as in coapt.plan/1
 SHARES = {"along", "strain_circumferential_max", "strain_radial_max"}
 
 
@@ -23,7 +24,7 @@ class Frames(ClientTest):
         """Every number says what it is in; booleans are none."""
         for name, kind in frame.dtypes.items():
             if kind.kind in "if":
-                self.assertTrue(name.endswith(UNITS) or name in COUNTS | SHARES, name)
+                self.assertTrue(name.endswith(UNITS + OF_STEPS) or name in COUNTS | SHARES, name)
 
     def test_ranked_plans_are_a_row_each(self):
         result = self.client.evaluate(small_valve(), [RING, Plan()], region_points=2, evidence=True)
@@ -40,7 +41,30 @@ class Frames(ClientTest):
     def test_a_table_of_no_plans_has_the_same_columns(self):
         some = self.client.evaluate(small_valve(), [RING])
         none = coapt.Evaluations(some.before, (), 0, 0.0, {})
-        self.assertEqual(list(none.to_frame().columns), list(some.to_frame().columns))
+        columns = list(some.to_frame().columns)
+        self.assertEqual(
+            columns, [*none.to_frame().columns, *(one for one in columns if one.startswith("annuloplasty_"))]
+        )
+
+    def test_numbers_and_words_of_steps_are_columns(self):
+        plans = [
+            Plan(OwnRing(2)),
+            Plan(
+                Ring("generic-classic", 30),
+                PapillaryApproximation("posteromedial", 24),
+                *(Neochorda("AL1", LeafletPoint("posterior", along), 20) for along in (0.4, 0.6)),
+            ),
+        ]
+        frame = self.client.map([small_valve()], [*plans, Plan()]).to_frame()
+        self.assert_units(frame)
+        told = frame[[name for name in frame.columns if name.startswith(("annuloplasty", "papillary", "neochorda"))]]
+        self.assertEqual(list(told.iloc[1].dropna().drop(["annuloplasty_shape"]).index)[:3], [
+            "annuloplasty_size_mm", "papillary_approximation_posteromedial_anchor",
+            "papillary_approximation_posteromedial_suture_length_mm",
+        ])  # fmt: skip
+        self.assertEqual(list(told.annuloplasty_sizes_below.isna()), [False, True, True])
+        self.assertEqual((told.neochorda_2_length_mm[1], told.neochorda_2_along[1]), (20, 0.6))
+        self.assertTrue(told.iloc[2].isna().all())
 
     def test_what_is_not_known_is_a_number_that_is_none(self):
         plan = self.client.evaluate(small_valve(), [RING]).plans[0]
@@ -112,7 +136,8 @@ class Frames(ClientTest):
         self.assertEqual(frame.leak_mm2[0], self.client.close(small_valve(), RING).measure.leak_mm2)
         self.assertEqual(list(frame.error == ""), list(frame.trusted))
         self.assertEqual(list(frame.leak_mm2.isna()), [False, True, True, True])
-        known = frame[frame.trusted]
+        self.assertEqual(frame.leak_error_mm2[0], self.client.close(small_valve(), RING).measure.leak.error_mm2)
+        known = frame[frame.trusted].drop(columns=[one for one in frame if one.startswith("annuloplasty_")])
         self.assertEqual(list(known.columns[known.isna().any()]), [])
 
 

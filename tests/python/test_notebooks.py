@@ -56,9 +56,10 @@ class Notebooks(unittest.TestCase):
     @installed("nlopt", "scipy")
     def test_an_objective_of_ones_own_is_minimised(self):
         names = self.names_of("own_objective.ipynb")
-        first = names["tried"][0][-1]
-        self.assertLess(names["optimizer"].last_optimum_value(), first)
-        self.assertLessEqual(names["found"].fun, first)
+        self.assertLessEqual(names["optimizer"].last_optimum_value(), names["first"])
+        self.assertLessEqual(names["found"].fun, names["first"])
+        self.assertLess(names["searcher"].best[1], names["whole"](names["whole"].start))
+        self.assertTrue(names["whole"].evaluate(names["whole"].vector(names["evolved"])).reason == "")
 
     @installed("sklearn")
     def test_a_surrogate_tells_closures_better_than_their_mean(self):

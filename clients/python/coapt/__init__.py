@@ -48,11 +48,14 @@ from .leaks import Leak, LeakOpening
 from .local import close_many, engine, preset, read_valve
 from .meshes import Mesh, Picture
 from .openings import Opening
+from .ordering import Merits, Ordered, order_plans
 from .ranked_plans import RankedPlan, Statistics
 from .repair import NamedPlan, Plan, read_plans
 from .results import Before, Evaluations, Finding, SearchResult, StudyResult
+from .searchers import Searcher
 from .service import Service
 from .sources import PlanSource, Valve
+from .spaces import Space, Trial
 from .steps import (
     ChordalExcision,
     ChordalLengthChange,
@@ -111,6 +114,7 @@ __all__ = [
     "LocalValve",
     "LeakMaps",
     "Measure",
+    "Merits",
     "Mesh",
     "MissingPackage",
     "NamedPlan",
@@ -119,6 +123,7 @@ __all__ = [
     "NotEnded",
     "NotFound",
     "Opening",
+    "Ordered",
     "OwnRing",
     "PapillaryApproximation",
     "QuadrangularResection",
@@ -134,19 +139,23 @@ __all__ = [
     "Ring",
     "RingShape",
     "SearchResult",
+    "Searcher",
     "Section",
     "Service",
     "ServiceFailed",
+    "Space",
     "Statistics",
     "StoredValve",
     "StudyResult",
     "Sweep",
     "SweepItem",
     "Table",
+    "Trial",
     "Unreachable",
     "Valve",
     "close_many",
     "engine",
+    "order_plans",
     "preset",
     "read_plans",
     "read_valve",

@@ -1,12 +1,12 @@
 """The engine, in C++ (clients/python/engine). Arrays are read-only views."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from .closures import Status
+Status = Literal["converged", "step_limit", "diverged"]
 
 class Problems(Exception):
     """Its text is a list of problems as JSON."""
@@ -21,16 +21,19 @@ class Valve:
     def write(self) -> str: ...
     def with_arrays(
         self,
-        vertices_mm: NDArray[numpy.float64] | None,
-        faces: NDArray[numpy.int32] | None,
-        annulus_mm: NDArray[numpy.float64] | None,
+        vertices_mm: ArrayLike | None,
+        faces: ArrayLike | None,
+        annulus_mm: ArrayLike | None,
     ) -> Valve: ...
+    def with_material(self, material: bytes) -> Valve: ...
     def close(self, plan: str | bytes, material: str | bytes) -> Closure: ...
 
 class Closure:
     closed_mm: NDArray[numpy.float64]
     faces: NDArray[numpy.int32]
     def document(self) -> str: ...
+    def fields(self) -> dict[str, Any]: ...
+    def file(self, path: str, open: bool) -> bytes: ...
     def told(
         self,
     ) -> tuple[str, Status, bool, float | None, int, float, Sequence[Any], tuple[str, ...]]:
@@ -49,6 +52,26 @@ class Comparison:
     document: str
     moved_mm: NDArray[numpy.float64]
     signed_mm: NDArray[numpy.float64]
+
+def read_mesh(bytes: bytes, format: str) -> tuple[NDArray[numpy.float64], NDArray[numpy.int32]]: ...
+def write_mesh(vertices_mm: ArrayLike, faces: ArrayLike, format: str) -> bytes: ...
+
+class Space:
+    def __init__(self, valve: Valve, search: str, indicated: bool) -> None: ...
+    def document(self) -> str: ...
+    def plan(self, branch: int, at: Sequence[int]) -> str: ...
+    def place(self, branch: int, at: Sequence[int]) -> list[float]: ...
+
+def guess(
+    places: Sequence[Sequence[float]], values: Sequence[float], usual_sd: float, at: Sequence[Sequence[float]]
+) -> tuple[list[float], list[float]]: ...
+def order(
+    plans: Sequence[Mapping[str, Any]],
+    by_price: bool,
+    acceptable: float,
+    same_durability_mm: float,
+    same_gradient_mmhg: float,
+) -> list[tuple[int, int]]: ...
 
 class Stream:
     def next(self) -> bytes | None: ...

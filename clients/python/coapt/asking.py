@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from .errors import InvalidRequest, Problem, Refused
 from .files import did_you_mean
-from .sources import Valve, valve_document
+from .sources import PlanSource, Valve, plan_document, valve_document
 from .transport import Answer, Transport
 
 
 def given(**fields: Any) -> dict[str, Any]:
     return {name: value for name, value in fields.items() if value is not None}
+
+
+def search_rules(
+    fixed: PlanSource | None, forbidden: Sequence[str] | None, rules: Mapping[str, Any] | None
+) -> dict[str, Any]:
+    """The "rules" of a request."""
+    return dict(rules or {}) | given(
+        fixed=None if fixed is None else plan_document(fixed),
+        forbidden=None if forbidden is None else list(forbidden),
+    )
 
 
 MOST_THREADS = 1024

@@ -7,16 +7,23 @@ apart. Areas are anatomic, from geometry: not an effective regurgitant orifice a
 from __future__ import annotations
 
 import html
+import json
+import os
+import pathlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import tables
 from .errors import CoaptError
 from .evidence import Coaptation
 from .leaks import Leak, LeakOpening
-from .meshes import Mesh
+from .meshes import Fields, Mesh
+
+if TYPE_CHECKING:
+    import numpy
+    from numpy.typing import NDArray
 
 Status = Literal["converged", "step_limit", "diverged"]
 """How a closure ended: at rest, not yet at rest, or unstable, without a shape."""
@@ -177,6 +184,68 @@ class Closure:
     def closed_mm(self) -> Any:
         """V x 3, float64: leaflets().vertices_mm."""
         return self.leaflets().vertices_mm
+
+    def _fields(self) -> Fields:
+        """:raises CoaptError: it is of a service, or flew apart"""
+        fields = getattr(self._leaflets, "fields", None)
+        if fields is None:
+            raise CoaptError(
+                "only closures of the engine in this process have strain, contact and tension; see Client.scene()"
+            )
+        told: Fields = fields()
+        return told
+
+    @property
+    def strain(self) -> NDArray[numpy.float64]:
+        """F x 2, along the fibres and across them: Green-Lagrange strain of each triangle from the unstressed shape. Read-only, as are
+        those below; of the engine in this process alone.
+
+        >>> closure = coapt.preset("human-functional-mr").close()
+        >>> closure.strain.shape, closure.contact.shape, closure.segments.shape
+        ((648, 2), (378,), (648,))
+        >>> dict(zip(closure.chordae, closure.tension_n.round(1)))["AL1-A1-marginal-1"] > 0
+        True
+        """
+        return self._fields().strain
+
+    @property
+    def contact(self) -> NDArray[numpy.bool_]:
+        """V: whether a vertex touches another part of the leaflets, within 1.25 of their thickness."""
+        return self._fields().contact
+
+    @property
+    def segments(self) -> NDArray[numpy.str_]:
+        """F: "A1" to "P3" and the commissures "AC" and "PC"; empty of a valve that is not mitral."""
+        return self._fields().segments
+
+    @property
+    def chordae(self) -> tuple[str, ...]:
+        """Their ids, neochordae included."""
+        return self._fields().chordae
+
+    @property
+    def tension_n(self) -> NDArray[numpy.float64]:
+        """Of each chorda at its papillary head; 0 where it is slack or ruptured."""
+        return self._fields().tension_n
+
+    def save(self, path: str | os.PathLike[str], *, open: bool = False) -> None:
+        """To a file that other programs open, by its ending, as Engine.export() without closing again; ".json": the
+        coapt.closure/2.
+
+        >>> coapt.preset("human-normal").close().save("closed.vtk")
+
+        :param open: the unstressed shape
+        :raises BadDocument: another ending
+        :raises CoaptError: the closure is of a service, or was pickled
+        """
+        file = pathlib.Path(path)
+        if file.suffix == ".json" and not file.name.endswith(".mrk.json"):
+            file.write_text(json.dumps(self.json) + "\n")
+            return
+        written = getattr(self._leaflets, "file", None)
+        if written is None:
+            raise CoaptError("only closures that this process made are saved; see Client.export()")
+        file.write_bytes(written(file.name, open))
 
     @property
     def trusted(self) -> bool:

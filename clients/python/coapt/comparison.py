@@ -7,13 +7,13 @@ import os
 import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from .closures import Closure, Kept, Measure
-from .errors import BadDocument, NoSuchFile
-from .local_transport import engine_module, refusing
-from .meshes import Mesh
+from .closures import Closure, Measure
+from .errors import BadDocument, CoaptError, NoSuchFile
+from .local_transport import engine_module, reading, refusing
+from .meshes import Fields, Mesh
 
 if TYPE_CHECKING:
     import numpy
@@ -73,11 +73,48 @@ class LocalLeaflets:
     def __init__(self, native: _engine.Closure) -> None:
         self.native = native
 
+    @cached_property
+    def _told(self) -> Fields | None:
+        told = self.native.fields()
+        return Fields.of_engine(told) if told else None
+
+    def fields(self) -> Fields:
+        """:raises CoaptError: the closure flew apart"""
+        return known_fields_of(self._told)
+
+    def file(self, path: str, open: bool) -> bytes:
+        """:raises BadDocument: another ending than of formats that are known"""
+        with reading("the closure cannot be written"):
+            return self.native.file(path, open)
+
     def __call__(self) -> Mesh:
-        return Mesh(self.native.closed_mm, self.native.faces)
+        return Mesh(self.native.closed_mm, self.native.faces, self.fields)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Kept, (self(),)  # its numbers: elsewhere there is no engine that has them
+        # Its numbers: elsewhere there is no engine that has them.
+        return KeptLeaflets, (self.native.closed_mm, self.native.faces, self._told)
+
+
+@dataclass(frozen=True, eq=False)
+class KeptLeaflets:
+    """Of a closure that was pickled."""
+
+    closed_mm: NDArray[numpy.float64]
+    faces: NDArray[numpy.int32]
+    told: Fields | None
+
+    def fields(self) -> Fields:
+        """:raises CoaptError: the closure flew apart"""
+        return known_fields_of(self.told)
+
+    def __call__(self) -> Mesh:
+        return Mesh(self.closed_mm, self.faces, self.fields)
+
+
+def known_fields_of(told: Fields | None) -> Fields:
+    if told is None:
+        raise CoaptError("this closure flew apart: it has no strain, contact and tension")
+    return told
 
 
 def native_shape(source: ShapeSource) -> Any:

@@ -6,13 +6,14 @@ import json
 import os
 import pathlib
 import threading
-from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, Self
 
-from .asking import checked_threads
+from .asking import checked_threads, given, search_rules
 from .closures import Closure
 from .comparison import Comparison, ShapeSource, local_closure, native_shape
-from .files import Path, read_json
+from .errors import BadDocument
+from .files import GEOMETRY, Path, read_json
 from .fits import FitResult, Known
 from .jobs import Job
 from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
@@ -20,12 +21,14 @@ from .meshes import Picture
 from .openings import Opening
 from .results import Evaluations, SearchResult, StudyResult
 from .service import Service
-from .sources import PlanSource, Valve, ValveHere, valve_document
+from .sources import PlanSource, Valve, ValveHere, of_this_valve, valve_document
+from .spaces import Objective, Space, space_of
+from .steps import Step
 from .transport import CopiedAsItself, encoded
 
 if TYPE_CHECKING:
     import numpy
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
     from . import _engine
 
@@ -36,12 +39,9 @@ class Engine(CopiedAsItself, Service):
     Jobs end with the process: with a database they go on in the next engine that has it, and closures of searches and studies
     that it knows are not made again.
 
-    >>> engine = coapt.Engine(threads=2)
-    >>> "human-functional-mr" in engine.presets()
+    >>> with coapt.Engine(threads=2) as engine:
+    ...     engine.close("human-functional-mr", Plan(OwnRing(2))).trusted
     True
-    >>> engine.close("human-functional-mr", Plan(OwnRing(2))).trusted
-    True
-    >>> engine.end()
 
     In another process, pickled or forked, it is that process's own (coapt.engine()): its valves, closures and results come
     along, its jobs and its database do not.
@@ -63,6 +63,12 @@ class Engine(CopiedAsItself, Service):
         """Stops jobs, and removes what was kept for this process alone. Without it, that is done at the end of the process."""
         self._local.end()
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.end()
+
     def valve(self, source: Valve) -> LocalValve:
         """What may be given for a valve, read once.
 
@@ -79,6 +85,10 @@ class Engine(CopiedAsItself, Service):
 
         :raises NoSuchFile, BadDocument: problems have pointers into the file
         """
+        if pathlib.Path(path).suffix.lower() in GEOMETRY:
+            raise BadDocument(
+                f"{path}: is geometry, from which import_valve() makes a valve (Mesh.read() reads a mesh); a valve is a .json file"
+            )
         try:
             text = pathlib.Path(path).read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError):
@@ -113,7 +123,7 @@ class Engine(CopiedAsItself, Service):
     def fit(
         self,
         valve: Valve,
-        points_mm: NDArray[numpy.float64],
+        points_mm: ArrayLike,
         *,
         side: Literal["atrial", "middle"] = "atrial",
         leak_mm2: float | None = None,
@@ -126,7 +136,7 @@ class Engine(CopiedAsItself, Service):
     ) -> tuple[LocalValve, FitResult]:
         """Fits chordae, papillary tips and tissue of a valve to its closed leaflets as imaged; Ctrl-C ends it with the best so far.
 
-        :param points_mm: N x 3, float64, of the closed surface in the valve's own frame
+        :param points_mm: N x 3, of the closed surface in the valve's own frame
         :param side: of the leaflets that they show
         :param leak_mm2: as imaged, known to within leak_sd_mm2
         :param known: what stays as it is
@@ -204,6 +214,12 @@ class LocalValve(CopiedAsItself, ValveHere):
     def __reduce__(self) -> tuple[Any, ...]:
         return _valve_of, (self.native.write(),)
 
+    def __eq__(self, other: object) -> bool:
+        return self is other or isinstance(other, LocalValve) and self.native.write() == other.native.write()
+
+    def __hash__(self) -> int:
+        return hash(self.native.write())
+
     @property
     def name(self) -> str:
         """Of its document."""
@@ -232,9 +248,9 @@ class LocalValve(CopiedAsItself, ValveHere):
     def with_arrays(
         self,
         *,
-        vertices_mm: NDArray[numpy.float64] | None = None,
-        faces: NDArray[numpy.int32] | None = None,
-        annulus_mm: NDArray[numpy.float64] | None = None,
+        vertices_mm: ArrayLike | None = None,
+        faces: ArrayLike | None = None,
+        annulus_mm: ArrayLike | None = None,
     ) -> LocalValve:
         """A valve that has these instead, copied; the rest is this one's.
 
@@ -245,14 +261,81 @@ class LocalValve(CopiedAsItself, ValveHere):
         ...     print(error.problems[0].path)
         /annulus_mm
 
-        :param vertices_mm: V x 3, float64, unstressed
-        :param faces: F x 3, int32
-        :param annulus_mm: A x 3, float64, under pressure
-        :raises TypeError: no array
-        :raises BadDocument: another type or shape, a number that is not finite, or no valve: problems say where
+        :param vertices_mm: V x 3, unstressed, an array or list of any numbers
+        :param faces: F x 3, of any integers
+        :param annulus_mm: A x 3, under pressure
+        :raises BadDocument: no numbers, another shape, a number that is not finite, or no valve: problems say where
         """
         with reading("these arrays make no valve"):
             return LocalValve(self.engine, self.native.with_arrays(vertices_mm, faces, annulus_mm))
+
+    def replace(
+        self,
+        *,
+        name: str | None = None,
+        pressure_mmhg: float | None = None,
+        tissue: Mapping[str, float] | None = None,
+        papillary_mm: Mapping[str, Sequence[float]] | None = None,
+        chordae: Iterable[Mapping[str, Any]] | None = None,
+    ) -> LocalValve:
+        """A valve that has these instead; the rest is this one's.
+
+        >>> valve = coapt.preset("human-normal")
+        >>> outwards = valve.papillary_mm["posteromedial"] + [5, 0, -5]
+        >>> displaced = valve.replace(pressure_mmhg=140, papillary_mm={"posteromedial": outwards})
+        >>> displaced.close().measure.tenting_height_mm > valve.close().measure.tenting_height_mm
+        True
+        >>> without = valve.replace(chordae=[one for one in valve.chordae if one["kind"] != "strut"])
+
+        :param pressure_mmhg: across the closed valve
+        :param tissue: as of Engine.close()
+        :param papillary_mm: of a side, where the mean of its heads goes under pressure; the heads move as one, unpressurised too
+        :param chordae: as in chordae
+        :raises InvalidRequest: of pressure and tissue, with the accepted range
+        :raises BadDocument: the rest makes no valve
+        """
+        made = self
+        if name is not None or papillary_mm is not None or chordae is not None:
+            document = self.to_json() | given(name=name, chordae=None if chordae is None else list(chordae))
+            for side, to in (papillary_mm or {}).items():
+                if side not in self.papillary_mm:
+                    raise BadDocument(f"papillary_mm: {side!r} must be one of {', '.join(self.papillary_mm)}")
+                by = [float(a - b) for a, b in zip(to, self.papillary_mm[side], strict=True)]
+                for head in document["papillary_heads"]:
+                    if head["side"] == side:
+                        for place in ("rest_mm", "tip_mm"):
+                            head[place] = [a + b for a, b in zip(head[place], by)]
+            with reading("these make no valve"):
+                made = LocalValve(self.engine, engine_module().Valve.read(json.dumps(document), ""))
+        if material := given(pressure_mmhg=pressure_mmhg) | dict(tissue or {}):
+            with refusing():
+                made = LocalValve(self.engine, made.native.with_material(encoded(material)))
+        return made
+
+    @property
+    def papillary_mm(self) -> dict[str, NDArray[numpy.float64]]:
+        """Of each side the mean of its heads under pressure."""
+        import numpy
+
+        heads = self.to_json()["papillary_heads"]
+        sides = dict.fromkeys(head["side"] for head in heads)
+        return {side: numpy.mean([one["tip_mm"] for one in heads if one["side"] == side], axis=0) for side in sides}
+
+    @property
+    def chordae(self) -> list[dict[str, Any]]:
+        """As in the coapt.valve/1."""
+        chordae: list[dict[str, Any]] = self.to_json()["chordae"]
+        return chordae
+
+    def save(self, path: Path) -> None:
+        """To a file of a coapt.valve/1, which read_valve() reads; close().save() writes what other programs open.
+
+        >>> valve = coapt.preset("human-normal")
+        >>> valve.save("normal.json")
+        >>> coapt.read_valve("normal.json") == valve
+        True
+        """
+        pathlib.Path(path).write_text(self.native.write(), encoding="utf-8")
 
     def id(self, engine: Engine) -> str:
         """By which requests to this engine name it; it is stored if need be."""
@@ -265,45 +348,56 @@ class LocalValve(CopiedAsItself, ValveHere):
             self._stored = service, engine.put_valve(self.to_json()).id
         return self._stored[1]
 
+    def space(
+        self,
+        *steps: Step | PlanSource,
+        fixed: PlanSource | None = None,
+        forbidden: Sequence[str] | None = None,
+        rules: Mapping[str, Any] | None = None,
+        objective: Objective | None = None,
+    ) -> Space:
+        """The plans that a search of this valve may try, as vectors of numbers for optimisers of one's own.
+
+        >>> valve = coapt.preset("human-functional-mr")
+        >>> space = valve.space(Ring("generic-classic", 30), PapillaryApproximation("posteromedial", 22))
+        >>> space.names, space.get_bounds()
+        (('ring_size_mm', 'posteromedial_movement_mm'), ([24.0, 3.0], [32.0, 10.0]))
+        >>> from scipy.optimize import Bounds, minimize
+        >>> found = minimize(space, space.start, method="Nelder-Mead", bounds=Bounds(*space.get_bounds()), options={"maxfev": 9})
+        >>> found.fun <= space(space.start)
+        True
+
+        :param steps: or a plan: its operation alone, of which sizes, lengths and places are free; none: all that is indicated
+        :param fixed: as in Engine.search(), likewise forbidden and rules
+        :param objective: of a closure, less is better; None: its leak
+        :raises InvalidRequest: rules are wrong, or this valve is not offered such an operation
+        """
+        return space_of(self, steps, search_rules(fixed, forbidden, rules), objective)
+
     # The engine's functions, of this valve.
 
-    def close(self, plan: PlanSource | None = None, **options: Any) -> Closure:
-        """See Engine.close()."""
-        return self.engine.close(self, plan, **options)
+    close = of_this_valve(Engine.close)
+    open = of_this_valve(Engine.open)
+    diagnose = of_this_valve(Engine.diagnose)
+    physiology = of_this_valve(Engine.physiology)
+    evaluate = of_this_valve(Engine.evaluate)
+    search = of_this_valve(Engine.search)
+    study = of_this_valve(Engine.study)
+    fit = of_this_valve(Engine.fit)
+    picture = of_this_valve(Engine.picture)
+    scene = of_this_valve(Engine.scene)
+    export = of_this_valve(Engine.export)
+    report = of_this_valve(Engine.report)
 
-    def open(self, plan: PlanSource | None = None, **options: Any) -> Opening:
-        """See Engine.open()."""
-        return self.engine.open(self, plan, **options)
-
-    def picture(self, plan: PlanSource | None = None) -> Picture:
-        """See Engine.picture()."""
-        return self.engine.picture(self, plan)
-
-    def evaluate(
+    def compare(
         self,
-        plans: Any,
-        region_points: int | None = None,
-        evidence: bool | None = None,
-        model_draws: int | None = None,
-    ) -> Evaluations:
-        """See Engine.evaluate()."""
-        return self.engine.evaluate(self, plans, region_points, evidence, model_draws)
-
-    def search(self, **options: Any) -> Job[SearchResult]:
-        """See Engine.search()."""
-        return self.engine.search(self, **options)
-
-    def study(self, name: Any = "thesis", **options: Any) -> Job[StudyResult]:
-        """See Engine.study()."""
-        return self.engine.study(self, name, **options)
-
-    def compare(self, reference: ShapeSource, plan: PlanSource | None = None, **options: Any) -> Comparison:
+        reference: ShapeSource,
+        plan: PlanSource | None = None,
+        *,
+        align: Literal["auto", "none", "rigid"] = "auto",
+    ) -> Comparison:
         """The closed valve with a reference: see Engine.compare()."""
-        return self.engine.compare(self.close(plan), reference, **options)
-
-    def fit(self, points_mm: NDArray[numpy.float64], **options: Any) -> tuple[LocalValve, FitResult]:
-        """See Engine.fit()."""
-        return self.engine.fit(self, points_mm, **options)
+        return self.engine.compare(self.close(plan), reference, align=align)
 
     def __repr__(self) -> str:
         return f"LocalValve({self.name!r}, {len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"

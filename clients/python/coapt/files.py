@@ -13,6 +13,9 @@ from .errors import BadDocument, NoSuchFile
 
 Path = str | os.PathLike[str]
 
+GEOMETRY = (".obj", ".ply", ".stl", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".mha")
+"""Endings of files of which a valve is made."""
+
 
 def is_path(source: object) -> TypeGuard[Path]:
     """A pathlib.Path, or text that ends in ".json"; other text is a name or an id."""

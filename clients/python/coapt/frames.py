@@ -6,6 +6,7 @@ from __future__ import annotations
 import dataclasses
 import io
 import json
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -17,11 +18,19 @@ if TYPE_CHECKING:
 
 MEASURE = {
     "leak_mm2": "measure.leak_mm2",
+    "leak_error_mm2": "measure.leak.error_mm2",
     "coaptation_height_mean_mm": "measure.coaptation_height_mean_mm",
     "coaptation_height_min_mm": "measure.coaptation_height_min_mm",
     "tension_max_n": "measure.tension_max_n",
 }
 """Columns of what has a measure, and where their values are."""
+
+_SEVERAL = (
+    "neochorda",
+    "chordal_length_change",
+    "chordal_excision",
+    "chordal_transfer",
+)  # steps that a plan has some of
 
 
 def _pandas() -> Any:
@@ -52,6 +61,29 @@ def table(things: Iterable[object], columns: Mapping[str, str]) -> pandas.DataFr
     rows = [[_cell(thing, place) for place in columns.values()] for thing in things]
     frame: pandas.DataFrame = _pandas().DataFrame(rows, columns=list(columns))
     return frame
+
+
+def with_steps(frame: pandas.DataFrame, plans: Iterable[Mapping[str, Any] | None]) -> pandas.DataFrame:
+    """And a column for each number and word of the steps of the rows' plans (coapt.plan/1)."""
+    steps = _pandas().DataFrame([step_columns(plan) for plan in plans], index=frame.index)
+    joined: pandas.DataFrame = frame.join(steps)
+    return joined
+
+
+def step_columns(plan: Mapping[str, Any] | None) -> dict[str, Any]:
+    """ "annuloplasty_size_mm", "papillary_approximation_posteromedial_suture_length_mm", "neochorda_1_length_mm", ..."""
+    columns: dict[str, Any] = {}
+    numbers: Counter[str] = Counter()
+    for step in [] if plan is None else plan["steps"]:
+        name = "_".join([step["step"], *([step["side"]] if "side" in step else [])])
+        numbers[name] += 1
+        several = step["step"] in _SEVERAL or numbers[name] > 1
+        prefix = f"{name}_{numbers[name]}" if several else name
+        told = {key: value for key, value in step.items() if key not in ("step", "side")}
+        for key, value in {**told, **told.get("insertion", {})}.items():
+            if not isinstance(value, Mapping):
+                columns[f"{prefix}_{key}"] = value
+    return columns
 
 
 def records(kind: Any, things: Iterable[object]) -> pandas.DataFrame:

@@ -68,7 +68,7 @@ class Evaluations:
     def to_frame(self) -> pandas.DataFrame:
         """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
         mean, sd, p95 and worst, which are over the region of interest."""
-        return frames.table(self.plans, COLUMNS)
+        return frames.with_steps(frames.table(self.plans, COLUMNS), (one.plan.to_json() for one in self.plans))
 
     def _repr_html_(self) -> str:
         return _plans_html(self.before, self.plans)
@@ -109,7 +109,7 @@ class SearchResult:
     def to_frame(self) -> pandas.DataFrame:
         """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
         mean, sd, p95 and worst, which are over the region of interest."""
-        return frames.table(self.plans, COLUMNS)
+        return frames.with_steps(frames.table(self.plans, COLUMNS), (one.plan.to_json() for one in self.plans))
 
     def _repr_html_(self) -> str:
         return _plans_html(self.before, self.plans)

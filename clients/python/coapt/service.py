@@ -6,13 +6,13 @@ import uuid
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal
 
-from .asking import checked_threads, given
+from .asking import checked_threads, given, search_rules
 from .files import Path
 from .fits import Fit, ImportResult
 from .imports import files_to_import, packed_folder
 from .jobs import Job
 from .results import SearchResult, StudyResult
-from .sources import PlanSource, Valve, plan_document
+from .sources import PlanSource, Valve
 from .stored_work import StoredWork, path_of
 from .transport import Transport
 
@@ -82,10 +82,6 @@ class Service(StoredWork):
         :param weights: of the cost, likewise
         :param idempotency_key: the same key with the same request gives the same job; a new one by default
         """
-        all_rules = dict(rules or {}) | given(
-            fixed=None if fixed is None else plan_document(fixed),
-            forbidden=None if forbidden is None else list(forbidden),
-        )
         search = given(
             evaluations=evaluations,
             front_share=front_share,
@@ -101,7 +97,7 @@ class Service(StoredWork):
             seconds=seconds,
             no_improvement=no_improvement,
             target_mm2=target_mm2,
-            rules=all_rules or None,
+            rules=search_rules(fixed, forbidden, rules) or None,
             weights=None if weights is None else dict(weights),
         )
         json = self._submit("/v1/plans", valve, {"search": search}, idempotency_key)

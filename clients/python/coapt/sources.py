@@ -2,16 +2,37 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 import os
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping
-from typing import Any, TypeAlias
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Concatenate, ParamSpec, TypeAlias, TypeVar
 
 from .errors import BadDocument
 from .files import Path, is_path, plan_entries, read_json, read_plan_entries
 from .ranked_plans import RankedPlan
 from .repair import NamedPlan, Plan
 from .stored import KeptPlan, StoredValve
+
+
+Rest = ParamSpec("Rest")
+Result = TypeVar("Result")
+
+
+def of_this_valve(
+    function: Callable[Concatenate[Any, Any, Rest], Result],
+) -> Callable[Concatenate[Any, Rest], Result]:
+    """A function of an engine that takes a valve, as one of a valve that has an engine."""
+
+    @functools.wraps(function)
+    def asked(self: Any, /, *rest: Rest.args, **named: Rest.kwargs) -> Result:
+        return function(self.engine, self, *rest, **named)
+
+    signature = inspect.signature(function)
+    parameters = [one for name, one in signature.parameters.items() if name != "valve"]
+    asked.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
+    return asked
 
 
 class ValveHere(ABC):
@@ -36,7 +57,7 @@ PlanSource: TypeAlias = Plan | NamedPlan | RankedPlan | KeptPlan | Mapping[str, 
 coapt.plan/1, what `coapt plan --json` prints, the page's saved plans. Where one plan is asked for, the first counts."""
 
 _ONE_VALVE = (str, os.PathLike, Mapping, StoredValve, ValveHere)
-_ONE_PLAN = (Plan, NamedPlan, RankedPlan, KeptPlan, Mapping, str, os.PathLike)
+ONE_PLAN = (Plan, NamedPlan, RankedPlan, KeptPlan, Mapping, str, os.PathLike)
 
 
 def valve_document(valve: Valve) -> Any:
@@ -81,7 +102,7 @@ def plan_document(plan: PlanSource) -> Any:
 
 def all_named_plans(plans: PlanSource | Iterable[PlanSource]) -> list[tuple[str, Any]]:
     """named_plans() of one source, or of several in their order; those without a name are numbered from 1."""
-    sources = [plans] if isinstance(plans, _ONE_PLAN) else plans
+    sources = [plans] if isinstance(plans, ONE_PLAN) else plans
     named = [one for source in sources for one in named_plans(source)]
     return [(name or f"plan {i}", plan) for i, (name, plan) in enumerate(named, 1)]
 

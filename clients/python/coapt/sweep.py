@@ -82,8 +82,10 @@ class Sweep:
         self._close, self._valves, self._plans, self._threads, self._read = close, valves, plans, threads, read
 
     def to_frame(self) -> pandas.DataFrame:
-        """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error."""
-        return frames.table(self, COLUMNS)
+        """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error, and the plan's
+        steps: "annuloplasty_size_mm", "neochorda_1_length_mm" and so on."""
+        items = list(self)
+        return frames.with_steps(frames.table(items, COLUMNS), (self._plans[item.plan_number][1] for item in items))
 
     def __iter__(self) -> Iterator[SweepItem]:
         waiting: deque[Future[SweepItem]] = deque()

@@ -14,7 +14,8 @@ namespace coapt {
 pybind11::array view(const Points& points, const pybind11::object& owner);
 pybind11::array view(const Faces& faces, const pybind11::object& owner);
 
-/// Copies. Throws Problems at `path`: no array, other than n x 3, other than float64 or int32, a number that is not finite.
+/// Copies of arrays or lists of any numbers, faces of any integers. Throws Problems at `path`: neither, other than n x 3, a number that is not
+/// finite or has more than 32 bits.
 Points points_of(const pybind11::object& given, const std::string& path);
 Faces faces_of(const pybind11::object& given, const std::string& path);
 

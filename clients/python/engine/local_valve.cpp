@@ -41,12 +41,15 @@ Expected<std::vector<MaterialValue>> parse_material(std::string_view text) {
 
 }  // namespace
 
+LocalValve with_material(const LocalValve& valve, std::string_view material) {
+  return {std::make_shared<const Valve>(taken(
+      with_material(*valve.valve, taken(parse_material(material), "/material")), "/material"))};
+}
+
 LocalClosure close_locally(const LocalValve& valve, std::string_view plan,
                            std::string_view material) {
   LocalClosure closed{.valve = valve.valve, .repaired = valve.valve};
-  if (!material.empty())
-    closed.valve = std::make_shared<const Valve>(taken(
-        with_material(*valve.valve, taken(parse_material(material), "/material")), "/material"));
+  if (!material.empty()) closed.valve = with_material(valve, material).valve;
   closed.repaired = closed.valve;
   if (!plan.empty()) {
     closed.plan = taken(read_plan(plan), "/plan");

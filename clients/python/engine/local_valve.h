@@ -28,6 +28,9 @@ struct NewArrays {
 };
 LocalValve with_arrays(const LocalValve& valve, const NewArrays& arrays);
 
+/// With `material` (an object of material_table()'s names) in place of its own. Throws Problems, whose paths begin with "/material".
+LocalValve with_material(const LocalValve& valve, std::string_view material);
+
 /// A closure that Python holds, with all that it was made of; not null.
 struct LocalClosure {
   std::shared_ptr<const Valve> valve, repaired;  ///< the same without a plan

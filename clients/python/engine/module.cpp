@@ -21,7 +21,11 @@
 #include "clients/python/engine/local_service.h"
 #include "clients/python/engine/problems.h"
 #include "clients/python/engine/shapes.h"
+#include "clients/python/engine/space.h"
+#include "core/metrics/loads.h"
+#include "core/metrics/shape_comparison.h"
 #include "io/json/valve_json.h"
+#include "search/plans/plan_order.h"
 
 namespace py = pybind11;
 
@@ -139,6 +143,36 @@ py::tuple told(const LocalClosure& closed) {
                         figures_of(closed.measure), py::tuple(py::cast(closed.warnings)));
 }
 
+/// Arrays of coapt.closures.Fields: strain, contact, segments, chordae, tension_n; empty: it flew apart.
+py::dict fields_of(const LocalClosure& closed) {
+  const Valve& valve = *closed.repaired;
+  const Points& closed_mm = closed.closure.closed_mm;
+  py::dict fields;
+  if (!closed_mm.allFinite()) return fields;
+  const std::vector<FaceStrain> strains = face_strains(valve, closed_mm);
+  py::array_t<double> strain({std::ssize(strains), std::ptrdiff_t{2}});
+  for (std::ptrdiff_t f = 0; f < std::ssize(strains); ++f) {
+    strain.mutable_at(f, 0) = strains[static_cast<std::size_t>(f)].circumferential;
+    strain.mutable_at(f, 1) = strains[static_cast<std::size_t>(f)].radial;
+  }
+  fields["strain"] = strain;
+  fields["contact"] = nodes_in_contact({closed_mm, valve.faces, {}, {}},
+                                       kContactThicknesses * valve.tissue.thickness_mm);
+  py::list segments, chordae, tensions;
+  for (const Segment segment : valve.segments) segments.append(to_string(segment));
+  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
+    double at_head = 0.0;
+    for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s)
+      if (valve.chordae[c].segments[s].parent < 0) at_head += closed.closure.tension_n[c][s];
+    chordae.append(valve.chordae[c].id);
+    tensions.append(at_head);
+  }
+  fields["segments"] = segments;
+  fields["chordae"] = chordae;
+  fields["tension_n"] = tensions;
+  return fields;
+}
+
 void add_valves(py::module_& module) {
   py::class_<LocalValve>(module, "Valve")
       .def_static("read", &local_valve, py::arg("document"), py::arg("path"), Unlocked())
@@ -170,8 +204,26 @@ void add_valves(py::module_& module) {
                                 annulus ? &*annulus : nullptr});
           },
           py::arg("vertices_mm"), py::arg("faces"), py::arg("annulus_mm"))
+      .def(
+          "with_material",
+          [](const LocalValve& self, const std::string& material) {
+            return with_material(self, material);
+          },
+          py::arg("material"), Unlocked())
       .def("close", &close_locally, py::arg("plan"), py::arg("material"), Unlocked());
   py::class_<LocalClosure>(module, "Closure")
+      .def("fields", &fields_of)
+      .def(
+          "file",
+          [](const LocalClosure& self, const std::string& path, bool open) {
+            std::string bytes;
+            {
+              const py::gil_scoped_release unlocked;
+              bytes = file_of(self, path, open);
+            }
+            return py::bytes(bytes);
+          },
+          py::arg("path"), py::arg("open"))
       .def("document", &document_of, Unlocked())
       .def("told", &told)
       .def_property_readonly("closed_mm",
@@ -212,6 +264,22 @@ void add_shapes(py::module_& module) {
         array.attr("setflags")(py::arg("write") = false);
         return array;
       });
+  module.def(
+      "read_mesh",
+      [](const py::bytes& bytes, const std::string& format) {
+        const TriangleMesh mesh = mesh_of_file(std::string_view(bytes), format);
+        return py::make_tuple(view(mesh.vertices_mm, py::none()).attr("copy")(),
+                              view(mesh.faces, py::none()).attr("copy")());
+      },
+      py::arg("bytes"), py::arg("format"));
+  module.def(
+      "write_mesh",
+      [](const py::object& vertices_mm, const py::object& faces, const std::string& format) {
+        return py::bytes(
+            file_of(TriangleMesh{points_of(vertices_mm, "/vertices_mm"), faces_of(faces, "/faces")},
+                    format));
+      },
+      py::arg("vertices_mm"), py::arg("faces"), py::arg("format"));
   module.def("compare", &compare_locally, py::arg("closed"), py::arg("reference"), py::arg("align"),
              Unlocked());
   module.def(
@@ -229,6 +297,62 @@ void add_shapes(py::module_& module) {
       py::arg("valve"), py::arg("points_mm"), py::arg("side"), py::arg("leak_mm2"),
       py::arg("leak_sd_mm2"), py::arg("known"), py::arg("points"), py::arg("rounds"),
       py::arg("ruptures"), py::arg("threads"), py::arg("progress"));
+}
+
+PlanMerits merits_from(const py::dict& told) {
+  PlanMerits merits;
+  const auto take = [&told](const char* name, auto& value) {
+    value = told[name].cast<std::decay_t<decltype(value)>>();
+  };
+  take("trusted", merits.trusted);
+  take("varied", merits.varied);
+  take("fails_often", merits.fails_often);
+  take("rejected", merits.rejected);
+  take("stenotic", merits.stenotic);
+  take("acceptable_probability", merits.acceptable_probability);
+  take("closes_finely", merits.closes_finely);
+  take("avoidable_warnings", merits.avoidable_warnings);
+  take("durability_mm", merits.durability_mm);
+  take("gradient_mmhg", merits.gradient_mmhg);
+  take("steps", merits.steps);
+  take("muscles", merits.muscles);
+  take("free_anchors", merits.free_anchors);
+  take("resections", merits.resections);
+  take("sizes_below", merits.sizes_below);
+  take("leak_mm2", merits.leak_mm2);
+  take("cost", merits.cost);
+  return merits;
+}
+
+void add_spaces(py::module_& module) {
+  py::class_<LocalSpace>(module, "Space")
+      .def(py::init(&space_of), py::arg("valve"), py::arg("search"), py::arg("indicated"),
+           Unlocked())
+      .def("document", [](const LocalSpace& self) { return space_document(self); })
+      .def("plan", &plan_at, py::arg("branch"), py::arg("at"))
+      .def("place", &place_at, py::arg("branch"), py::arg("at"), Unlocked());
+  module.def(
+      "guess",
+      [](const std::vector<std::vector<double>>& places, const std::vector<double>& values,
+         double usual_sd, const std::vector<std::vector<double>>& at) {
+        const Guesses told = guess(places, values, usual_sd, at);
+        return py::make_tuple(told.mean, told.sd);
+      },
+      py::arg("places"), py::arg("values"), py::arg("usual_sd"), py::arg("at"));
+  module.def(
+      "order",
+      [](const std::vector<py::dict>& plans, bool by_price, double acceptable,
+         double same_durability_mm, double same_gradient_mmhg) {
+        std::vector<PlanMerits> merits;
+        for (const py::dict& plan : plans) merits.push_back(merits_from(plan));
+        std::vector<std::pair<int, int>> places;
+        for (const PlanPlace& place :
+             order_of(merits, by_price, {acceptable, same_durability_mm, same_gradient_mmhg}))
+          places.emplace_back(place.index, place.of_class);
+        return places;
+      },
+      py::arg("plans"), py::arg("by_price"), py::arg("acceptable"), py::arg("same_durability_mm"),
+      py::arg("same_gradient_mmhg"));
 }
 
 void add_service(py::module_& module) {
@@ -274,5 +398,6 @@ PYBIND11_MODULE(_engine, module) {
   py::register_exception<coapt::Problems>(module, "Problems");
   coapt::add_valves(module);
   coapt::add_shapes(module);
+  coapt::add_spaces(module);
   coapt::add_service(module);
 }

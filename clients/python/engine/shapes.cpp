@@ -4,15 +4,15 @@
 #include <utility>
 
 #include "clients/python/engine/problems.h"
+#include "io/exchange/formats.h"
 #include "io/exchange/shape_file.h"
 #include "io/json/comparison_json.h"
 #include "io/json/fit_json.h"
+#include "io/mesh/write_mesh.h"
 #include "io/picture/fit_picture.h"
 
 namespace coapt {
 namespace {
-
-constexpr double kContactThicknesses = 1.25;  // as of coaptation (core/metrics/coaptation.h)
 
 template <class Value>
 Value chosen(const std::string& word, const std::string& path,
@@ -59,6 +59,23 @@ LocalShape shape_of_file(std::string source, std::string_view bytes, const std::
     throw Problems(
         {{ErrorCode::Unsupported, "", source + " must end in one of " + shape_format_names()}});
   return {std::move(source), taken(read_shape(bytes, format)), {}};
+}
+
+std::string file_of(const LocalClosure& closed, const std::string& path, bool open) {
+  const FileFormat* const known = format_of_path(path);
+  if (known == nullptr)
+    throw Problems({{ErrorCode::Unsupported, "", path + " must end in one of " + format_names()}});
+  const ClosedValve repaired{*closed.repaired, closed.closure, closed.measure};
+  return taken(
+      write_valve_file(with_repair(repaired, *closed.valve, closed.plan), *known, {.open = open}));
+}
+
+TriangleMesh mesh_of_file(std::string_view bytes, const std::string& format) {
+  return taken(read_mesh(bytes, format, kMostUnpacked));
+}
+
+std::string file_of(const TriangleMesh& mesh, const std::string& format) {
+  return taken(write_mesh(mesh, format));
 }
 
 LocalComparison compare_locally(const LocalShape& closed, const LocalShape& reference,

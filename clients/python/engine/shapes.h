@@ -8,9 +8,13 @@
 
 #include "clients/python/engine/local_valve.h"
 #include "core/metrics/shape_comparison.h"
+#include "io/mesh/mesh_file.h"
 #include "search/fit/fit.h"
 
 namespace coapt {
+
+/// Within so many thicknesses leaflets touch, as those that coapt (core/metrics/coaptation.h).
+inline constexpr double kContactThicknesses = 1.25;
 
 /// A shape with what it is called and how thick it is.
 struct LocalShape {
@@ -23,6 +27,13 @@ struct LocalShape {
 LocalShape shape_of(const LocalClosure& closed);
 LocalShape shape_of(std::string source, const Points& vertices_mm, const Faces& faces);
 LocalShape shape_of_file(std::string source, std::string_view bytes, const std::string& format);
+
+/// The closed valve as a file, by the end of its path. Throws Problems.
+std::string file_of(const LocalClosure& closed, const std::string& path, bool open);
+
+/// A mesh's file. Throws Problems.
+TriangleMesh mesh_of_file(std::string_view bytes, const std::string& format);
+std::string file_of(const TriangleMesh& mesh, const std::string& format);
 
 struct LocalComparison {
   std::string document;  ///< coapt.comparison/1

@@ -1,0 +1,83 @@
+"""The rule by which plans are ranked, for plans that were evaluated elsewhere."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from .local_transport import engine_module
+
+
+@dataclass(frozen=True)
+class Merits:
+    """What decides between plans. The defaults are those of the best; what is not known of all plans stays NaN."""
+
+    acceptable_probability: float = 1.0
+    """That the valve leaks less than 5 mm² over errors of the hand, tissue and mesh."""
+    steps: int = 0
+    muscles: int = 0
+    """That a suture moves."""
+    free_anchors: int = 0
+    """Of sutures: no landmark to find."""
+    resections: int = 0
+    """Of leaflets."""
+    sizes_below: float = 0.0
+    """Of the ring, the true size."""
+    leak_mm2: float = 0.0
+    """Mean and standard deviation over the region, added."""
+    durability_mm: float = math.nan
+    """By which the ventricle may remodel further until the valve leaks."""
+    gradient_mmhg: float = math.nan
+    avoidable_warnings: int = 0
+    cost: float = 0.0
+    """Decides where nothing else does."""
+    trusted: bool = True
+    """As planned, on its own mesh."""
+    varied: bool = True
+    """Closed at more than one node of its region."""
+    fails_often: bool = False
+    """Its closures over the region."""
+    rejected: bool = False
+    """By a rule of practice."""
+    stenotic: bool = False
+    closes_finely: bool = True
+    """On the finer mesh, too."""
+
+
+@dataclass(frozen=True)
+class Ordered:
+    """A plan's place."""
+
+    index: int
+    """Into the plans given."""
+    of_class: int
+    """From 1: plans of one class cannot be told apart."""
+
+
+def order_plans(
+    plans: Iterable[Merits],
+    *,
+    by_price: bool = False,
+    acceptable: float = 0.95,
+    same_durability_mm: float = 2.0,
+    same_gradient_mmhg: float = 1.0,
+) -> list[Ordered]:
+    """Best first, by the rule of the search: what is acceptable, of these what has no avoidable warning, of plans that cannot be told
+    apart the simplest.
+
+    >>> ring = coapt.Merits(acceptable_probability=0.97, steps=1)
+    >>> ring_and_suture = coapt.Merits(acceptable_probability=0.99, steps=2, muscles=1)
+    >>> leaking = coapt.Merits(acceptable_probability=0.4, steps=1)
+    >>> [place.index for place in coapt.order_plans([leaking, ring_and_suture, ring])]
+    [2, 1, 0]
+
+    :param by_price: acceptable plans by their cost instead
+    :param acceptable: from that probability on a plan is
+    :param same_durability_mm: within it of the longest of a class, plans last as long
+    :param same_gradient_mmhg: within it of the least, or below what usual rings leave, gradients are alike
+    """
+    told = [dataclasses.asdict(plan) for plan in plans]
+    places = engine_module().order(told, by_price, acceptable, same_durability_mm, same_gradient_mmhg)
+    return [Ordered(index, of_class) for index, of_class in places]
