@@ -2,6 +2,7 @@
 
 import copy
 import dataclasses
+import importlib.util
 import multiprocessing
 import os
 import pickle
@@ -28,6 +29,21 @@ ERRORS = {
         coapt.ServiceFailed)},
     coapt.JobFailed: lambda: coapt.JobFailed("0123", PROBLEMS),
 }  # fmt: skip
+
+STEPS = (
+    coapt.ChordalExcision("c1"), coapt.ChordalLengthChange("c1", 2.0), coapt.DesignedRing({"name": "mine"}, 30.0),
+    coapt.ChordalTransfer("c1", coapt.LeafletPoint("anterior", 0.5)), coapt.EdgeToEdge(), coapt.LeafletPoint("anterior", 0.5),
+    coapt.Neochorda("AL1", coapt.LeafletPoint("anterior", 0.5), 20.0), coapt.PapillaryApproximation("posteromedial", 24.0),
+    coapt.QuadrangularResection(8.0), coapt.TriangularResection(8.0), Ring("generic-classic", 30.0), OwnRing(2),
+)  # fmt: skip
+ABSTRACT = {coapt.Service}
+STATES = {
+    coapt.Engine,
+    coapt.Client,
+    coapt.Job,
+    coapt.Sweep,
+    coapt.Searcher,
+}  # connections and what goes on: each is itself
 
 
 def pickled(value):
@@ -57,6 +73,7 @@ class Errors(unittest.TestCase):
         for kind, make in ERRORS.items():
             for again in (pickled, copy.deepcopy, copy.copy):
                 error, read = make(), again(make())
+                self.assertEqual(read, error)
                 self.assertIs(type(read), kind)
                 self.assertEqual(
                     (str(read), read.args, vars(read)),
@@ -119,24 +136,27 @@ class Objects(EngineTest):
         ]
         made += [coapt.Client("http://127.0.0.1:1")]
         made += [event.progress.best for event in events if event.progress and event.progress.best]
+        space = valve.space()
+        made += [space, space.evaluate(space.start), space.searcher(), coapt.Merits(), coapt.Ordered(0, 1), *STEPS]
         return {type(one): one for one in made}
 
-    def test_every_public_object_goes_through_pickle_and_deepcopy(self):
+    def test_every_public_object_is_pickled_copied_compared_and_printed_short(self):
         objects = self.every_object()
+        classes = {one for one in map(vars(coapt).get, coapt.__all__) if isinstance(one, type)} - set(ERRORS)
+        # What only studies, imports and fits leave, and what may be given for a valve: data, of whatever values.
+        for kind in classes - set(objects) - ABSTRACT:
+            objects[kind] = kind(*(f"{one.name} of it" for one in dataclasses.fields(kind) if one.init))
+        self.assertLessEqual(classes - ABSTRACT, set(objects))
         for kind, value in objects.items():
             for again in (pickled, copy.deepcopy, copy.copy):
                 with self.subTest(kind=kind.__name__, again=again.__name__):
                     self.assertIs(type(again(value)), kind)
-        classes = {one for one in vars(coapt).values() if isinstance(one, type) and not issubclass(one, BaseException)}
-        not_made = sorted(kind.__name__ for kind in classes - set(objects))
-        # Steps and what only studies, imports and fits leave: data without functions in it.
-        for name in not_made:
-            kind = getattr(coapt, name)
-            if kind is not coapt.Service:
-                self.assertTrue(
-                    dataclasses.is_dataclass(kind) or issubclass(kind, (tuple, coapt.Plan)),
-                    name,
-                )
+                    if kind not in STATES:
+                        self.assertEqual(again(value), value)
+                        self.assertNotEqual(value, object())
+            with self.subTest(kind=kind.__name__):
+                self.assertTrue(repr(value).startswith(kind.__name__ + "("), repr(value))
+                self.assertLess(len(repr(value)), 600, repr(value))
 
     def test_what_was_pickled_says_the_same(self):
         valve = self.client.preset(VALVE)
@@ -200,6 +220,18 @@ class Processes(EngineTest):
                 self.assertTrue(refused.problems[0].path.startswith("/plan/steps/0"))
                 self.assertEqual(waiting[2].result(60), leak_of(plans[2]))
 
+    @unittest.skipUnless(importlib.util.find_spec("joblib"), "needs joblib")
+    def test_joblib_has_refusals_beside_results(self):
+        from joblib import Parallel, delayed
+
+        space = self.client.preset(VALVE).space()
+        outside = [*space.start[:-1], 99]
+        trials = Parallel(2)(delayed(space.evaluate)(x) for x in (space.start, outside, space.upper))
+        self.assertEqual([trial.reason == "" for trial in trials], [True, False, True])
+        self.assertEqual(trials[2].value, space(space.upper))
+        with self.assertRaises(coapt.InvalidRequest):
+            Parallel(2)(delayed(leak_of)(plan) for plan in (Plan(), Plan(Ring("generic-classic", size_mm=36.3))))
+
     def test_valves_and_closures_travel(self):
         valve = self.client.preset(VALVE)
         wider = valve.with_arrays(annulus_mm=valve.annulus_mm * 1.02)
@@ -210,6 +242,8 @@ class Processes(EngineTest):
             )
             sent = pool.submit(coapt.LocalValve.close, valve).result(60)
         self.assertEqual(sent.measure, valve.close().measure)
+        self.assertEqual(sent.strain.tolist(), valve.close().strain.tolist())
+        self.assertEqual(sent.leaflets(), valve.close().leaflets())
 
     def test_a_forked_child_searches_and_evaluates_after_its_parent_did(self):
         code = (

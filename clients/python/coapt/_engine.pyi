@@ -13,6 +13,7 @@ class Problems(Exception):
 
 class Valve:
     name: str
+    counts: tuple[int, int]
     vertices_mm: NDArray[numpy.float64]
     faces: NDArray[numpy.int32]
     annulus_mm: NDArray[numpy.float64]

@@ -41,3 +41,6 @@ class Client(Service):
         )
         super().__init__(transport, patience_s)
         self.url = transport.url
+
+    def __repr__(self) -> str:
+        return f"Client({self.url!r})"

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from .closures import Closure, Measure
 from .errors import BadDocument, CoaptError, NoSuchFile
 from .local_transport import engine_module, reading, refusing
-from .meshes import Fields, Mesh
+from .meshes import Fields, Mesh, same_arrays
 
 if TYPE_CHECKING:
     import numpy
@@ -51,6 +51,10 @@ class Comparison:
     """N x 3: where the nodes lie after the alignment."""
     json: Mapping[str, Any] = field(repr=False)
     """The coapt.comparison/1."""
+
+    def __eq__(self, other: object) -> bool:
+        alike = isinstance(other, Comparison) and self.json == other.json
+        return alike and same_arrays(self, other, "signed_mm", "moved_mm")
 
 
 def local_closure(native: _engine.Closure) -> Closure:

@@ -63,6 +63,9 @@ class Engine(CopiedAsItself, Service):
         """Stops jobs, and removes what was kept for this process alone. Without it, that is done at the end of the process."""
         self._local.end()
 
+    def __repr__(self) -> str:
+        return f"Engine({self._local.database!r}, threads={self.threads})"
+
     def __enter__(self) -> Self:
         return self
 
@@ -400,7 +403,8 @@ class LocalValve(CopiedAsItself, ValveHere):
         return self.engine.compare(self.close(plan), reference, align=align)
 
     def __repr__(self) -> str:
-        return f"LocalValve({self.name!r}, {len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"
+        vertices, triangles = self.native.counts
+        return f"LocalValve({self.name!r}, {vertices} vertices, {triangles} triangles)"
 
 
 _engines: list[Engine] = []  # none or one

@@ -48,6 +48,12 @@ class CoaptError(Exception):
         self.problems: tuple[Problem, ...] = tuple(problems)
         super().__init__("\n  ".join([message, *map(str, self.problems)]))
 
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash((type(self), str(self)))
+
     def __reduce__(self) -> tuple[Any, ...]:
         # An exception is made again from what it was called with, which args does not hold.
         return _remade, (type(self), self.args), self.__dict__

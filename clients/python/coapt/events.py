@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from . import tables
 from .repair import Plan
 
 JobState = Literal["QUEUED", "RUNNING", "SUCCEEDED", "FAILED", "CANCELLED"]
@@ -15,8 +16,8 @@ JobState = Literal["QUEUED", "RUNNING", "SUCCEEDED", "FAILED", "CANCELLED"]
 ENDED = ("SUCCEEDED", "FAILED", "CANCELLED")
 
 
-@dataclass(frozen=True)
-class LeadingPlan:
+@dataclass(frozen=True, repr=False)
+class LeadingPlan(tables.Short):
     """A search's best plan so far."""
 
     plan: Plan
@@ -35,8 +36,8 @@ class LeadingPlan:
         return cls(plan, description, json["cost"], json["nodes"], json["leak_mm2"])
 
 
-@dataclass(frozen=True)
-class Progress:
+@dataclass(frozen=True, repr=False)
+class Progress(tables.Short):
     """How far a job is. None: none yet, or another kind of job."""
 
     stage: str
@@ -76,8 +77,8 @@ class Progress:
         return f"{self.closures} of {self.closures_planned} closures, {self.stage}{best}"
 
 
-@dataclass(frozen=True)
-class Event:
+@dataclass(frozen=True, repr=False)
+class Event(tables.Short):
     """What happened to a job: one of state and progress is there."""
 
     number: int

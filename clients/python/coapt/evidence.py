@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
-from . import frames
+from . import frames, tables
 
 if TYPE_CHECKING:
     import pandas
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 Muscle = Literal["both", "anterolateral", "posteromedial"]
 
 
-@dataclass(frozen=True)
-class Section:
+@dataclass(frozen=True, repr=False)
+class Section(tables.Short):
     """A section across the line of coaptation."""
 
     along: float
@@ -30,8 +30,8 @@ class Section:
     """Whether they touch."""
 
 
-@dataclass(frozen=True)
-class Coaptation:
+@dataclass(frozen=True, repr=False)
+class Coaptation(tables.Short):
     """Nine sections from commissure to commissure."""
 
     sections: tuple[Section, ...]
@@ -50,8 +50,8 @@ class Coaptation:
         return frames.records(Section, self.sections)
 
 
-@dataclass(frozen=True)
-class LeakMap:
+@dataclass(frozen=True, repr=False)
+class LeakMap(tables.Short):
     """Leak when sutures and tips are off the plan."""
 
     muscle: Muscle
@@ -73,8 +73,8 @@ class LeakMap:
         )
 
 
-@dataclass(frozen=True)
-class LeakMaps:
+@dataclass(frozen=True, repr=False)
+class LeakMaps(tables.Short):
     """Of one plan."""
 
     maps: tuple[LeakMap, ...]
@@ -98,8 +98,8 @@ class LeakMaps:
         return frames.leaks(rows, ("muscle", "suture_length_mm", "outwards_deg", "leak_mm2"))
 
 
-@dataclass(frozen=True)
-class Remodelling:
+@dataclass(frozen=True, repr=False)
+class Remodelling(tables.Short):
     """Leak if the ventricle remodels further after the repair."""
 
     displacement_mm: tuple[int, ...]
@@ -122,8 +122,8 @@ class Remodelling:
         return frames.leaks(rows, ("direction", "displacement_mm", "leak_mm2"))
 
 
-@dataclass(frozen=True)
-class Table:
+@dataclass(frozen=True, repr=False)
+class Table(tables.Short):
     """CSV with a header line, units in the names of its columns; empty: not known.
 
     >>> coapt.Table("suture_mm,leak_mm2\\n24,0.5\\n26,\\n").to_frame()["leak_mm2"].tolist()

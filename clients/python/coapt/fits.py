@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from . import tables
 from .imports import packed
 from .meshes import Picture
 from .stored import ImportDecision
@@ -45,8 +46,8 @@ class Fit:
         return request
 
 
-@dataclass(frozen=True)
-class FittedParameter:
+@dataclass(frozen=True, repr=False)
+class FittedParameter(tables.Short):
     """One unknown of a fit."""
 
     name: str
@@ -63,8 +64,8 @@ class FittedParameter:
     """The surface at least halves what was not known."""
 
 
-@dataclass(frozen=True)
-class FitResult:
+@dataclass(frozen=True, repr=False)
+class FitResult(tables.Short):
     """How well a valve was fitted."""
 
     rms_before_mm: float
@@ -98,8 +99,8 @@ class FitResult:
         )
 
 
-@dataclass(frozen=True)
-class ImportResult:
+@dataclass(frozen=True, repr=False)
+class ImportResult(tables.Short):
     """What an import has made."""
 
     valve: str

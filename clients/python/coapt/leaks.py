@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
+from . import tables
+
 Vector: TypeAlias = tuple[float, float, float]
 
 
@@ -19,8 +21,8 @@ def _interval(json: Sequence[float] | None) -> tuple[float, float] | None:
     return None if json is None else (json[0], json[1])
 
 
-@dataclass(frozen=True)
-class LeakOpening:
+@dataclass(frozen=True, repr=False)
+class LeakOpening(tables.Short):
     """A connected part of that surface, in the valve's frame."""
 
     area_mm2: float
@@ -46,8 +48,8 @@ class LeakOpening:
         )
 
 
-@dataclass(frozen=True)
-class Leak:
+@dataclass(frozen=True, repr=False)
+class Leak(tables.Short):
     """None: not known, because too little was closed or a closure flew apart."""
 
     area_mm2: float | None

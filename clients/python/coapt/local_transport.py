@@ -126,13 +126,13 @@ class LocalTransport(CopiedAsItself):
     ends_with_us: ClassVar[bool] = True
 
     def __init__(self, database: str | os.PathLike[str] | None, threads: int) -> None:
-        self._database, self._threads, self._opening = database, threads, threading.Lock()
+        self.database, self._threads, self._opening = database, threads, threading.Lock()
         self._open()
         _transports.add(self)
 
     def _open(self) -> None:
-        folder = tempfile.mkdtemp(prefix="coapt-") if self._database is None else None
-        file = pathlib.Path(folder) / "coapt.sqlite" if folder else pathlib.Path(str(self._database))
+        folder = tempfile.mkdtemp(prefix="coapt-") if self.database is None else None
+        file = pathlib.Path(folder) / "coapt.sqlite" if folder else pathlib.Path(str(self.database))
         with reading(f"{file} cannot be used"):
             service = engine_module().Service(str(file), self._threads)
         self._service: _engine.Service | None = service
@@ -141,9 +141,9 @@ class LocalTransport(CopiedAsItself):
     @property
     def service(self) -> _engine.Service:
         with self._opening:
-            if self._service is None and self._database is not None:
+            if self._service is None and self.database is not None:
                 raise Unreachable(
-                    f"the engine of {self._database} belongs to the process that this one was forked from: make an Engine here, "
+                    f"the engine of {self.database} belongs to the process that this one was forked from: make an Engine here, "
                     "with another database"
                 )
             if self._service is None:

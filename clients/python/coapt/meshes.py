@@ -65,6 +65,13 @@ class Picture:
         return f"Picture({len(self.png):,} bytes of PNG)"
 
 
+def same_arrays(a: Any, b: Any, *names: str) -> bool:
+    """Whether the arrays of these names have the same shapes and numbers."""
+    if numpy is None:
+        return all(getattr(a, name) == getattr(b, name) for name in names)
+    return all(numpy.array_equal(getattr(a, name), getattr(b, name)) for name in names)
+
+
 def drawn(mesh: Mesh, colour: str | None, ax: Axes | None) -> Axes:
     """See Mesh.plot()."""
     try:
@@ -210,6 +217,9 @@ class Mesh:
         :raises MissingPackage: matplotlib is not installed
         """
         return drawn(self, colour, ax)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Mesh) and same_arrays(self, other, "vertices_mm", "faces")
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.vertices_mm)} vertices, {len(self.faces)} triangles)"

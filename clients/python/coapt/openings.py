@@ -12,8 +12,8 @@ from .closures import Document, Status, known_fields
 from .leaks import Leak
 
 
-@dataclass(frozen=True)
-class Opening:
+@dataclass(frozen=True, repr=False)
+class Opening(tables.Short):
     """A valve, opened (coapt.opening/2). None: not known, because it did not come to rest.
 
     >>> opening = coapt.preset("human-normal").open()

@@ -12,7 +12,7 @@ from .local_transport import engine_module
 
 @dataclass(frozen=True)
 class Merits:
-    """What decides between plans. The defaults are those of the best; what is not known of all plans stays NaN."""
+    """What decides between plans. The defaults are those of the best; None: not known, of all plans or of none."""
 
     acceptable_probability: float = 1.0
     """That the valve leaks less than 5 mm² over errors of the hand, tissue and mesh."""
@@ -27,9 +27,9 @@ class Merits:
     """Of the ring, the true size."""
     leak_mm2: float = 0.0
     """Mean and standard deviation over the region, added."""
-    durability_mm: float = math.nan
+    durability_mm: float | None = None
     """By which the ventricle may remodel further until the valve leaks."""
-    gradient_mmhg: float = math.nan
+    gradient_mmhg: float | None = None
     avoidable_warnings: int = 0
     cost: float = 0.0
     """Decides where nothing else does."""
@@ -78,6 +78,6 @@ def order_plans(
     :param same_durability_mm: within it of the longest of a class, plans last as long
     :param same_gradient_mmhg: within it of the least, or below what usual rings leave, gradients are alike
     """
-    told = [dataclasses.asdict(plan) for plan in plans]
+    told = [{k: math.nan if v is None else v for k, v in dataclasses.asdict(plan).items()} for plan in plans]
     places = engine_module().order(told, by_price, acceptable, same_durability_mm, same_gradient_mmhg)
     return [Ordered(index, of_class) for index, of_class in places]

@@ -42,8 +42,8 @@ COLUMNS = {
 _FARTHEST_MM, _FARTHEST_DEG = 1.0, 5.0  # borders of the region of interest: a margin there may be larger
 
 
-@dataclass(frozen=True)
-class Statistics:
+@dataclass(frozen=True, repr=False)
+class Statistics(tables.Short):
     """mm2 over a plan's region of interest: its errors of suture length (1 mm) and papillary position (5 degrees). None: fewer
     than two nodes of the region were closed."""
 
@@ -72,8 +72,8 @@ class _Place:
     path: str
 
 
-@dataclass(frozen=True)
-class RankedPlan:
+@dataclass(frozen=True, repr=False)
+class RankedPlan(tables.Short):
     """A plan with its evidence."""
 
     rank: int

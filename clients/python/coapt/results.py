@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     import pandas
 
 
-@dataclass(frozen=True)
-class Before:
+@dataclass(frozen=True, repr=False)
+class Before(tables.Short):
     """The valve as it is, beside the plans."""
 
     status: Status
@@ -32,8 +32,8 @@ class Before:
         return cls(json["status"], json["crossing"], Measure.from_json(json))
 
 
-@dataclass(frozen=True)
-class Evaluations:
+@dataclass(frozen=True, repr=False)
+class Evaluations(tables.Short):
     """Plans of one's own, in the order asked, each with its rank.
 
     >>> plans = [Plan(), Plan(OwnRing(2))]
@@ -74,8 +74,8 @@ class Evaluations:
         return _plans_html(self.before, self.plans)
 
 
-@dataclass(frozen=True)
-class SearchResult:
+@dataclass(frozen=True, repr=False)
+class SearchResult(tables.Short):
     """Ranked plans (coapt.plans/2)."""
 
     before: Before
@@ -115,8 +115,8 @@ class SearchResult:
         return _plans_html(self.before, self.plans)
 
 
-@dataclass(frozen=True)
-class Finding:
+@dataclass(frozen=True, repr=False)
+class Finding(tables.Short):
     """A finding of the thesis beside this valve's."""
 
     finding: str
@@ -133,8 +133,8 @@ class Finding:
     """Whether they do."""
 
 
-@dataclass(frozen=True)
-class StudyResult:
+@dataclass(frozen=True, repr=False)
+class StudyResult(tables.Short):
     """A study's findings."""
 
     study: str

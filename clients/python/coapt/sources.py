@@ -29,6 +29,7 @@ def of_this_valve(
     def asked(self: Any, /, *rest: Rest.args, **named: Rest.kwargs) -> Result:
         return function(self.engine, self, *rest, **named)
 
+    asked.__module__, asked.__qualname__ = "coapt.engine", f"LocalValve.{function.__name__}"  # for pickle
     signature = inspect.signature(function)
     parameters = [one for name, one in signature.parameters.items() if name != "valve"]
     asked.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]

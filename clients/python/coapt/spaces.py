@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from . import tables
 from .asking import checked_threads
 from .closures import Closure
 from .comparison import local_closure
@@ -49,8 +50,8 @@ def leak_mm2(closure: Closure) -> float:
     return math.inf if closure.measure.leak_mm2 is None else closure.measure.leak_mm2
 
 
-@dataclass(frozen=True)
-class Trial:
+@dataclass(frozen=True, repr=False)
+class Trial(tables.Short):
     """A point of a space, tried.
 
     >>> space = coapt.preset("human-functional-mr").space(Ring("generic-classic", 30))

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from . import tables
 from .repair import Plan
 
 
-@dataclass(frozen=True)
-class ImportDecision:
+@dataclass(frozen=True, repr=False)
+class ImportDecision(tables.Short):
     """What an import settled that its files leave open."""
 
     subject: str
@@ -25,8 +26,8 @@ class ImportDecision:
     """How likely it is right, of what is judged from several readings; else 1."""
 
 
-@dataclass(frozen=True)
-class StoredValve:
+@dataclass(frozen=True, repr=False)
+class StoredValve(tables.Short):
     """A valve that a service or an engine keeps."""
 
     id: str
@@ -41,8 +42,8 @@ class StoredValve:
     """Of its import."""
 
 
-@dataclass(frozen=True)
-class KeptPlan:
+@dataclass(frozen=True, repr=False)
+class KeptPlan(tables.Short):
     """A plan under a name."""
 
     id: str
@@ -56,8 +57,8 @@ class KeptPlan:
         return cls(json["kept_plan"], json["name"], json["valve"], Plan.from_json(json["plan"]))
 
 
-@dataclass(frozen=True)
-class RingShape:
+@dataclass(frozen=True, repr=False)
+class RingShape(tables.Short):
     """A ring of the catalogue."""
 
     name: str

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from . import frames
+from . import frames, tables
 from .closures import Closure
 from .errors import CoaptError
 from .sources import Valve, valve_document, valve_name
@@ -37,8 +37,8 @@ COLUMNS = {
 """Of its table, and where their values are."""
 
 
-@dataclass(frozen=True)
-class SweepItem:
+@dataclass(frozen=True, repr=False)
+class SweepItem(tables.Short):
     """One closure of a sweep, or the error in its place."""
 
     valve_number: int
@@ -80,6 +80,9 @@ class Sweep:
         :param read: makes of a valve what close takes, once
         """
         self._close, self._valves, self._plans, self._threads, self._read = close, valves, plans, threads, read
+
+    def __repr__(self) -> str:
+        return f"Sweep({len(self._plans)} plans, {self._threads} threads)"
 
     def to_frame(self) -> pandas.DataFrame:
         """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error, and the plan's

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import html
 import math
 from collections.abc import Iterable, Sequence
@@ -10,7 +11,31 @@ from typing import Any
 NOTICE = "coapt is research software, not a medical device; not for clinical decisions."
 NOTICE_HTML = f'<p style="font-size:smaller;opacity:.75">{NOTICE}</p>'
 _BAR_WIDTH, _BAR_HEIGHT = 36, 90  # of the drawing of coaptation, px
+_LONG = 80  # letters of one value
 _LEAST_RANGE_MM = 10.0  # that its height stands for
+
+
+class Short:
+    """A dataclass (repr=False) that prints in a few lines at most: numbers to four digits, of long lists and of what prints so itself only
+    what it is."""
+
+    def __repr__(self) -> str:
+        fields: Any = dataclasses.fields(self)
+        told = (f"{one.name}={_short(getattr(self, one.name))}" for one in fields if one.repr)
+        return f"{type(self).__name__}({', '.join(told)})"
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    if isinstance(value, Short):
+        return f"{type(value).__name__}(...)"
+    if isinstance(value, tuple):
+        if len(value) > 3 or any(isinstance(one, (Short, tuple)) for one in value):
+            return f"<{len(value)} of {type(value[0]).__name__}>"
+        return f"({', '.join(map(_short, value))})"
+    text = repr(value)
+    return text if len(text) <= _LONG else f"{text[:_LONG]}..."
 
 
 def number(value: float | None, decimals: int = 1) -> str:

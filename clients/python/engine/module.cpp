@@ -178,6 +178,11 @@ void add_valves(py::module_& module) {
       .def_static("read", &local_valve, py::arg("document"), py::arg("path"), Unlocked())
       .def("write", [](const LocalValve& self) { return write_valve(*self.valve); })
       .def_property_readonly("name", [](const LocalValve& self) { return self.valve->name; })
+      .def_property_readonly("counts",
+                             [](const LocalValve& self) {
+                               return std::pair(self.valve->rest_mm.rows(),
+                                                self.valve->faces.rows());
+                             })
       .def_property_readonly("vertices_mm",
                              [](const py::object& self) {
                                return view(self.cast<const LocalValve&>().valve->rest_mm, self);
