@@ -13,6 +13,10 @@ LOCAL = "http://127.0.0.1:8080"
 class Client(Service):
     """A coapt-server. Threads may share a client; pickled, it has the token of COAPT_TOKEN where it is read again, not its own.
 
+    >>> client = coapt.Client("http://127.0.0.1:8080", token="a-token")
+    >>> client
+    Client('http://127.0.0.1:8080')
+
     :param url: COAPT_SERVER or http://127.0.0.1:8080 by default
     :param token: of a service that wants one; COAPT_TOKEN by default
     :param timeout_s: for an answer to come

@@ -42,7 +42,14 @@ def _shown(text: Any) -> str:
 
 
 class CoaptError(Exception):
-    """All that this package raises on purpose. problems: tuple of Problem, may be empty."""
+    """All that this package raises on purpose. problems: tuple of Problem, may be empty.
+
+    >>> try:
+    ...     coapt.preset("no-such-valve")
+    ... except coapt.CoaptError as error:
+    ...     print(len(error.problems))
+    1
+    """
 
     def __init__(self, message: str, problems: Sequence[Problem] = ()) -> None:
         self.problems: tuple[Problem, ...] = tuple(problems)
@@ -66,27 +73,58 @@ def _remade(kind: type[CoaptError], arguments: tuple[Any, ...]) -> CoaptError:
 
 
 class NoSuchFile(CoaptError, FileNotFoundError):
-    """A valve or a plan was to be read from a file that is not there."""
+    """A valve or a plan was to be read from a file that is not there.
+
+    >>> try:
+    ...     coapt.read_valve("nowhere.json")
+    ... except coapt.NoSuchFile as error:
+    ...     print(isinstance(error, FileNotFoundError))
+    True
+    """
 
     __str__ = Exception.__str__  # that of FileNotFoundError wants a number
 
 
 class BadDocument(CoaptError, ValueError):
-    """What was to be a valve or a plan is none."""
+    """What was to be a valve or a plan is none.
+
+    >>> try:
+    ...     Plan.from_json({"schema": "coapt.plan/1", "steps": [{"step": "anuloplasty"}]})
+    ... except coapt.BadDocument as error:
+    ...     print("did you mean" in str(error))
+    True
+    """
 
 
 class MissingPackage(CoaptError, ImportError):
-    """A package that this function needs is not installed: pandas, matplotlib, meshio, pyvista, or coapt's own engine."""
+    """A package that this function needs is not installed: pandas, matplotlib, meshio, pyvista, or coapt's own engine.
+
+    >>> isinstance(coapt.MissingPackage("a table needs pandas"), ImportError)
+    True
+    """
 
 
 class Unreachable(CoaptError):
-    """No answer: nothing listens there, the connection broke, or time ran out, after all tries."""
+    """No answer: nothing listens there, the connection broke, or time ran out, after all tries.
+
+    >>> try:
+    ...     coapt.Client("http://127.0.0.1:1", retries=0).presets()
+    ... except coapt.Unreachable as error:
+    ...     print("nothing listens" in str(error))
+    True
+    """
 
 
 class Refused(CoaptError):
     """An answer with an error: status is HTTP's, problems are all that the service says is wrong.
 
     retry_after_s: seconds after which the service asks to be tried again; None: it does not say.
+
+    >>> try:
+    ...     client.job("none")
+    ... except coapt.Refused as error:
+    ...     print(error.status)
+    404
     """
 
     def __init__(
@@ -99,31 +137,65 @@ class Refused(CoaptError):
 
 
 class InvalidRequest(Refused):
-    """400, 413, 422 and others: what was sent is wrong; problems say where."""
+    """400, 413, 422 and others: what was sent is wrong; problems say where.
+
+    >>> try:
+    ...     client.close("human-normal", Plan(Ring("generic-classic", size_mm=31)))
+    ... except coapt.InvalidRequest as error:
+    ...     print(error.status, error.problems[0].path)
+    422 /plan/steps/0/size_mm
+    """
 
 
 class AccessDenied(Refused):
-    """401, 403, 421: no token or a wrong one, or a name by which the service does not want to be called."""
+    """401, 403, 421: no token or a wrong one, or a name by which the service does not want to be called.
+
+    >>> coapt.AccessDenied(401, "a token is needed").status
+    401
+    """
 
 
 class NotFound(Refused):
-    """404: no such valve, job, plan or file."""
+    """404: no such valve, job, plan or file.
+
+    >>> try:
+    ...     client.get_valve("human-nromal")
+    ... except coapt.NotFound as error:
+    ...     print('did you mean "human-normal"' in str(error))
+    True
+    """
 
 
 class Conflict(Refused):
-    """409: not in this state; the job has not ended, or jobs refer to the valve."""
+    """409: not in this state; the job has not ended, or jobs refer to the valve.
+
+    >>> isinstance(coapt.Conflict(409, "jobs refer to the valve"), coapt.Refused)
+    True
+    """
 
 
 class Busy(Refused):
-    """429, 503: not now, after all tries; see retry_after_s."""
+    """429, 503: not now, after all tries; see retry_after_s.
+
+    >>> coapt.Busy(503, "too many jobs", retry_after_s=2.0).retry_after_s
+    2.0
+    """
 
 
 class ServiceFailed(Refused):
-    """500, 507: a fault of the service, or its disk is full."""
+    """500, 507: a fault of the service, or its disk is full.
+
+    >>> str(coapt.ServiceFailed(507, "the disk is full"))
+    '507 the disk is full'
+    """
 
 
 class JobFailed(CoaptError):
-    """The job ended as FAILED; problems say why."""
+    """The job ended as FAILED; problems say why.
+
+    >>> coapt.JobFailed("0123", [coapt.Problem("internal", "", "out of memory")]).job_id
+    '0123'
+    """
 
     def __init__(self, job_id: str, problems: Sequence[Problem]) -> None:
         self.job_id = job_id
@@ -131,7 +203,15 @@ class JobFailed(CoaptError):
 
 
 class NotEnded(CoaptError):
-    """The job has not ended within the time that was given; it goes on."""
+    """The job has not ended within the time that was given; it goes on.
+
+    >>> job = client.search("human-functional-mr", evaluations=50_000)
+    >>> try:
+    ...     job.wait(timeout_s=0.1)
+    ... except coapt.NotEnded:
+    ...     print(job.cancel().refresh().state in ("RUNNING", "CANCELLED"))
+    True
+    """
 
 
 _KINDS: dict[int, type[Refused]] = {

@@ -18,7 +18,13 @@ ENDED = ("SUCCEEDED", "FAILED", "CANCELLED")
 
 @dataclass(frozen=True, repr=False)
 class LeadingPlan(tables.Short):
-    """A search's best plan so far."""
+    """A search's best plan so far.
+
+    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
+    >>> best = job.wait().refresh().progress.best
+    >>> best.plan == job.result().plans[0].plan or best.nodes > 0
+    True
+    """
 
     plan: Plan
     description: tuple[str, ...]
@@ -38,7 +44,13 @@ class LeadingPlan(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Progress(tables.Short):
-    """How far a job is. None: none yet, or another kind of job."""
+    """How far a job is. None: none yet, or another kind of job.
+
+    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
+    >>> progress = job.wait().refresh().progress
+    >>> progress.closures <= progress.closures_planned
+    True
+    """
 
     stage: str
     """"starting", "searching", "ranking", a part of a study, "importing" or "fitting"."""
@@ -79,7 +91,12 @@ class Progress(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Event(tables.Short):
-    """What happened to a job: one of state and progress is there."""
+    """What happened to a job: one of state and progress is there.
+
+    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
+    >>> [event.state for event in job.events() if event.state]
+    ['QUEUED', 'RUNNING', 'SUCCEEDED']
+    """
 
     number: int
     """Counts a job's events from 1."""

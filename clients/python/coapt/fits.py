@@ -18,7 +18,11 @@ Known = Literal["slack", "tips", "prestretch", "hidden"]
 
 @dataclass(frozen=True)
 class Fit:
-    """To what a valve is fitted by Client.import_job()."""
+    """To what a valve is fitted by Client.import_job().
+
+    >>> Fit("systole.stl", leak_mm2=35.0, known=["prestretch"]).leak_mm2
+    35.0
+    """
 
     surface: str | os.PathLike[str] | Any | None = None
     """The closed leaflets as imaged, a mesh or points (CSV), in the coordinates and the unit of the other files; None: the leaflets
@@ -48,7 +52,13 @@ class Fit:
 
 @dataclass(frozen=True, repr=False)
 class FittedParameter(tables.Short):
-    """One unknown of a fit."""
+    """One unknown of a fit.
+
+    >>> valve = coapt.preset("porcine-1")
+    >>> fitted, told = valve.fit(valve.close().closed_mm, side="middle", points=100, rounds=1)
+    >>> told.parameters[0].unit in ("mm", "1")
+    True
+    """
 
     name: str
     unit: str
@@ -66,7 +76,13 @@ class FittedParameter(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class FitResult(tables.Short):
-    """How well a valve was fitted."""
+    """How well a valve was fitted.
+
+    >>> valve = coapt.preset("porcine-1")
+    >>> fitted, told = valve.fit(valve.close().closed_mm, side="middle", points=100, rounds=1)
+    >>> told.rms_mm < 0.3
+    True
+    """
 
     rms_before_mm: float
     """Distance from the surface, root mean square, of the valve as it was."""
@@ -101,7 +117,14 @@ class FitResult(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class ImportResult(tables.Short):
-    """What an import has made."""
+    """What an import has made.
+
+    >>> folder = "examples/valves/source/bodyparts3d"
+    >>> leaflets = [f"{folder}/{name}_leaflet_sheet.obj" for name in ("anterior", "posterior")]
+    >>> made = client.import_job(leaflets, f"{folder}/annulus_centerline.csv", f"{folder}/chordae.csv").result()
+    >>> made.fit is None, any(decision.subject == "units" for decision in made.decisions)
+    (True, True)
+    """
 
     valve: str
     """Id of the stored valve, fitted if that was asked for."""

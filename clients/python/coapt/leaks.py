@@ -23,7 +23,12 @@ def _interval(json: Sequence[float] | None) -> tuple[float, float] | None:
 
 @dataclass(frozen=True, repr=False)
 class LeakOpening(tables.Short):
-    """A connected part of that surface, in the valve's frame."""
+    """A connected part of that surface, in the valve's frame.
+
+    >>> opening = coapt.preset("human-functional-mr").close().measure.leak.openings[0]
+    >>> opening.width_mm < opening.area_mm2, len(opening.outline_mm) > 10
+    (True, True)
+    """
 
     area_mm2: float
     centroid_mm: Vector
@@ -50,7 +55,13 @@ class LeakOpening(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Leak(tables.Short):
-    """None: not known, because too little was closed or a closure flew apart."""
+    """None: not known, because too little was closed or a closure flew apart.
+
+    >>> leak = coapt.preset("human-functional-mr").close().measure.leak
+    >>> low, high = leak.between_mm2
+    >>> low <= leak.area_mm2 <= high, leak.area_mm2 == sum(opening.area_mm2 for opening in leak.openings)
+    (True, True)
+    """
 
     area_mm2: float | None
     error_mm2: float | None

@@ -13,6 +13,9 @@ from .sweep import SweepItem
 def engine() -> Engine:
     """The engine that preset(), read_valve() and close_many() use.
 
+    >>> coapt.engine() is coapt.engine()
+    True
+
     :raises MissingPackage: this installation has none
     """
     return engine_here()

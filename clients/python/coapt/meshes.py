@@ -49,7 +49,10 @@ class Fields:
 
 @dataclass(frozen=True)
 class Picture:
-    """A PNG; a notebook shows it."""
+    """A PNG; a notebook shows it.
+
+    >>> coapt.preset("human-normal").picture().write("closed.png")
+    """
 
     png: bytes
     """The content of the file."""

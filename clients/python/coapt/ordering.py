@@ -12,7 +12,11 @@ from .local_transport import engine_module
 
 @dataclass(frozen=True)
 class Merits:
-    """What decides between plans. The defaults are those of the best; None: not known, of all plans or of none."""
+    """What decides between plans. The defaults are those of the best; None: not known, of all plans or of none.
+
+    >>> coapt.Merits(steps=2, muscles=1).acceptable_probability
+    1.0
+    """
 
     acceptable_probability: float = 1.0
     """That the valve leaks less than 5 mm² over errors of the hand, tissue and mesh."""
@@ -48,7 +52,11 @@ class Merits:
 
 @dataclass(frozen=True)
 class Ordered:
-    """A plan's place."""
+    """A plan's place.
+
+    >>> coapt.order_plans([coapt.Merits(), coapt.Merits(steps=1)])
+    [Ordered(index=0, of_class=1), Ordered(index=1, of_class=1)]
+    """
 
     index: int
     """Into the plans given."""

@@ -45,7 +45,12 @@ _FARTHEST_MM, _FARTHEST_DEG = 1.0, 5.0  # borders of the region of interest: a m
 @dataclass(frozen=True, repr=False)
 class Statistics(tables.Short):
     """mm2 over a plan's region of interest: its errors of suture length (1 mm) and papillary position (5 degrees). None: fewer
-    than two nodes of the region were closed."""
+    than two nodes of the region were closed.
+
+    >>> best = coapt.preset("human-functional-mr").evaluate([Plan(OwnRing(2))]).plans[0]
+    >>> best.leak_mm2.nominal == best.measure.leak_mm2, best.leak_mm2.sd  # of one node
+    (True, None)
+    """
 
     nominal: float | None
     """As planned: the least surface. The others are of estimates."""
@@ -74,7 +79,12 @@ class _Place:
 
 @dataclass(frozen=True, repr=False)
 class RankedPlan(tables.Short):
-    """A plan with its evidence."""
+    """A plan with its evidence.
+
+    >>> best = coapt.preset("human-functional-mr").evaluate([Plan(OwnRing(2))]).plans[0]
+    >>> best.rank, best.plan, best.status
+    (1, Plan(OwnRing(sizes_below=2)), 'converged')
+    """
 
     rank: int
     """1 is the best."""

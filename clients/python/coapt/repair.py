@@ -75,7 +75,11 @@ class Plan:
 
 @dataclass(frozen=True)
 class NamedPlan:
-    """A plan of a file."""
+    """A plan of a file.
+
+    >>> coapt.read_plans("examples/plans/ring.json")[0].name
+    'ring'
+    """
 
     name: str
     plan: Plan

@@ -18,7 +18,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Before(tables.Short):
-    """The valve as it is, beside the plans."""
+    """The valve as it is, beside the plans.
+
+    >>> scored = coapt.preset("human-functional-mr").evaluate([Plan(OwnRing(2))])
+    >>> scored.before.status, scored.before.measure.leak_mm2 > scored.plans[0].measure.leak_mm2
+    ('converged', True)
+    """
 
     status: Status
     """How its closure ended."""
@@ -66,7 +71,7 @@ class Evaluations(tables.Short):
         )
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
+        """A row a plan; "plan" is the coapt.plan/1 as JSON, and its steps' numbers follow. Figures are as planned but those that begin with
         mean, sd, p95 and worst, which are over the region of interest."""
         return frames.with_steps(frames.table(self.plans, COLUMNS), (one.plan.to_json() for one in self.plans))
 
@@ -76,7 +81,13 @@ class Evaluations(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class SearchResult(tables.Short):
-    """Ranked plans (coapt.plans/2)."""
+    """Ranked plans (coapt.plans/2).
+
+    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
+    >>> result = job.result()
+    >>> result.stop, result.plans[0].rank, len(result.to_frame())
+    ('evaluation_limit', 1, 1)
+    """
 
     before: Before
     """The valve as it is."""
@@ -107,7 +118,7 @@ class SearchResult(tables.Short):
         )
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a plan; its last column is the coapt.plan/1 as JSON. Figures are as planned but those that begin with
+        """A row a plan; "plan" is the coapt.plan/1 as JSON, and its steps' numbers follow. Figures are as planned but those that begin with
         mean, sd, p95 and worst, which are over the region of interest."""
         return frames.with_steps(frames.table(self.plans, COLUMNS), (one.plan.to_json() for one in self.plans))
 
@@ -117,7 +128,12 @@ class SearchResult(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Finding(tables.Short):
-    """A finding of the thesis beside this valve's."""
+    """A finding of the thesis beside this valve's.
+
+    >>> result = client.study("porcine-3", "annulus").result()
+    >>> {finding.section for finding in result.findings}
+    {'4.3.1'}
+    """
 
     finding: str
     """Its name, such as "dilation-orifice"."""
@@ -135,7 +151,12 @@ class Finding(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class StudyResult(tables.Short):
-    """A study's findings."""
+    """A study's findings.
+
+    >>> result = client.study("porcine-3", "annulus").result()
+    >>> result.study, result.valve, result.untrusted
+    ('annulus', 'porcine-3', 0)
+    """
 
     study: str
     """Its name, such as "annulus"."""

@@ -21,7 +21,13 @@ StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
 
 
 class Service(StoredWork):
-    """What Client (a coapt-server) and Engine (this process) can both do; code that takes a Service runs with either."""
+    """What Client (a coapt-server) and Engine (this process) can both do; code that takes a Service runs with either.
+
+    >>> def leak_mm2(service: coapt.Service, valve: str) -> float:
+    ...     return service.close(valve).measure.leak_mm2
+    >>> leak_mm2(coapt.engine(), "human-functional-mr") > 5
+    True
+    """
 
     def __init__(self, transport: Transport, patience_s: float = 60.0) -> None:
         super().__init__(transport)

@@ -16,7 +16,11 @@ Anchor = Literal["ipsilateral_trigone", "saddle_peak", "annulus_point"]
 @dataclass(frozen=True)
 class LeafletPoint:
     """A place on a leaflet. along: 0 at the anterolateral, 1 at the posteromedial commissure. height: 0 at the annulus, 1 at
-    the free edge."""
+    the free edge.
+
+    >>> LeafletPoint("posterior", along=0.5).to_json()
+    {'leaflet': 'posterior', 'along': 0.5, 'height': 1.0}
+    """
 
     leaflet: Literal["anterior", "posterior"]
     along: float
@@ -29,7 +33,11 @@ class LeafletPoint:
 @dataclass(frozen=True)
 class Ring:
     """An annuloplasty ring of the catalogue (Client.rings()). size_mm: its label, the transverse width, 24 to 40 in steps of
-    2."""
+    2.
+
+    >>> coapt.preset("human-functional-mr").close(Plan(Ring("generic-classic", size_mm=30))).trusted
+    True
+    """
 
     shape: str
     size_mm: float
@@ -41,7 +49,11 @@ class Ring:
 
 @dataclass(frozen=True)
 class DesignedRing:
-    """A ring of a shape of one's own: ring is the "ring" of a coapt.ring/1 document, size_mm its width, 24 to 40 in steps of 2."""
+    """A ring of a shape of one's own: ring is the "ring" of a coapt.ring/1 document, size_mm its width, 24 to 40 in steps of 2.
+
+    >>> DesignedRing({"name": "mine"}, size_mm=30).to_json()["size_mm"]
+    30
+    """
 
     ring: Mapping[str, Any] = field(hash=False)
     size_mm: float
@@ -53,7 +65,11 @@ class DesignedRing:
 
 @dataclass(frozen=True)
 class OwnRing:
-    """A ring of the valve's own shape, sizes_below (0 to 6) sizes of 2 mm transverse smaller."""
+    """A ring of the valve's own shape, sizes_below (0 to 6) sizes of 2 mm transverse smaller.
+
+    >>> coapt.preset("human-functional-mr").close(Plan(OwnRing(2))).trusted
+    True
+    """
 
     sizes_below: int
     step: ClassVar[str] = "annuloplasty"
@@ -64,7 +80,13 @@ class OwnRing:
 
 @dataclass(frozen=True)
 class Neochorda:
-    """A new chorda of length_mm (5 to 40) from a papillary head, by its id in the valve, to a leaflet."""
+    """A new chorda of length_mm (5 to 40) from a papillary head, by its id in the valve, to a leaflet.
+
+    >>> torn = coapt.preset("human-p2-prolapse")
+    >>> held = torn.close(Plan(Neochorda("AL1", LeafletPoint("posterior", along=0.5), length_mm=20)))
+    >>> held.measure.leak_mm2 < torn.close().measure.leak_mm2
+    True
+    """
 
     head: str
     insertion: LeafletPoint
@@ -82,7 +104,12 @@ class Neochorda:
 
 @dataclass(frozen=True)
 class ChordalLengthChange:
-    """A chorda's trunk made longer by change_mm (-20 to 20); negative shortens."""
+    """A chorda's trunk made longer by change_mm (-20 to 20); negative shortens.
+
+    >>> valve = coapt.preset("human-p2-prolapse")
+    >>> valve.close(Plan(ChordalLengthChange(valve.chordae[0]["id"], change_mm=-2))).trusted
+    True
+    """
 
     chorda: str
     change_mm: float
@@ -94,7 +121,13 @@ class ChordalLengthChange:
 
 @dataclass(frozen=True)
 class ChordalExcision:
-    """A chorda cut away."""
+    """A chorda cut away.
+
+    >>> valve = coapt.preset("human-normal")
+    >>> strut = next(one["id"] for one in valve.chordae if one["kind"] == "strut")
+    >>> strut in valve.close(Plan(ChordalExcision(strut))).chordae
+    False
+    """
 
     chorda: str
     step: ClassVar[str] = "chordal_excision"
@@ -105,7 +138,11 @@ class ChordalExcision:
 
 @dataclass(frozen=True)
 class ChordalTransfer:
-    """A chorda moved to another place of a leaflet."""
+    """A chorda moved to another place of a leaflet.
+
+    >>> ChordalTransfer("c1", LeafletPoint("anterior", along=0.5)).to_json()["step"]
+    'chordal_transfer'
+    """
 
     chorda: str
     insertion: LeafletPoint
@@ -121,6 +158,10 @@ class PapillaryApproximation:
 
     annulus_around, of anchor "annulus_point" alone: 0 posteromedial commissure, 0.25 saddle peak, 0.5 anterolateral
     commissure, 0.75 mid-posterior.
+
+    >>> suture = PapillaryApproximation("posteromedial", suture_length_mm=24, anchor="saddle_peak")
+    >>> coapt.preset("human-functional-mr").close(Plan(suture)).trusted
+    True
     """
 
     side: Side
@@ -142,6 +183,10 @@ class EdgeToEdge:
 
     Of a clip alone: grasp_mm (2 to 12) of each leaflet between the arms, rows (1 to 5) of ties over that, and by how many per
     cent (0 to 25) it draws the annulus in from front to back.
+
+    >>> clipped = coapt.preset("human-functional-mr").open(Plan(EdgeToEdge()))
+    >>> len(clipped.leak.openings)
+    2
     """
 
     device: Literal["stitch", "clip"] = "clip"
@@ -171,7 +216,11 @@ class EdgeToEdge:
 @dataclass(frozen=True)
 class TriangularResection:
     """A wedge of a leaflet cut out, width_mm (3 to 20) at the free edge, that share of the height (0.3 to 0.95) towards the
-    annulus."""
+    annulus.
+
+    >>> TriangularResection(width_mm=10).to_json()["height"]
+    0.7
+    """
 
     width_mm: float
     along: float = 0.5
@@ -193,7 +242,11 @@ class TriangularResection:
 @dataclass(frozen=True)
 class QuadrangularResection:
     """A strip of the posterior leaflet cut out, width_mm (3 to 30) from free edge to annulus. The rest slides over the
-    annulus, or without sliding the annulus is gathered."""
+    annulus, or without sliding the annulus is gathered.
+
+    >>> QuadrangularResection(width_mm=12, sliding=False).to_json()["sliding"]
+    False
+    """
 
     width_mm: float
     along: float = 0.5

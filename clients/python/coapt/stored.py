@@ -12,7 +12,11 @@ from .repair import Plan
 
 @dataclass(frozen=True, repr=False)
 class ImportDecision(tables.Short):
-    """What an import settled that its files leave open."""
+    """What an import settled that its files leave open.
+
+    >>> ImportDecision("units", "millimetres", "the annulus is 32 wide").look
+    False
+    """
 
     subject: str
     """What, such as "units"."""
@@ -28,7 +32,12 @@ class ImportDecision(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class StoredValve(tables.Short):
-    """A valve that a service or an engine keeps."""
+    """A valve that a service or an engine keeps.
+
+    >>> stored = client.put_valve("examples/valves/bodyparts3d-leaking.json")
+    >>> stored.id in [valve.id for valve in client.valves()]
+    True
+    """
 
     id: str
     """SHA-256 of its content: the same valve has the same."""
@@ -44,7 +53,13 @@ class StoredValve(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class KeptPlan(tables.Short):
-    """A plan under a name."""
+    """A plan under a name.
+
+    >>> kept = client.keep_plan("human-functional-mr", Plan(OwnRing(2)), "own ring")
+    >>> client.close(kept.valve, kept).trusted
+    True
+    >>> client.delete_kept_plan(kept.id)
+    """
 
     id: str
     name: str
@@ -59,7 +74,11 @@ class KeptPlan(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class RingShape(tables.Short):
-    """A ring of the catalogue."""
+    """A ring of the catalogue.
+
+    >>> [ring.name for ring in client.rings()]
+    ['generic-classic', 'generic-etlogix-like', 'generic-geoform-like']
+    """
 
     name: str
     """As Ring() takes it."""

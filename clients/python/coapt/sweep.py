@@ -39,7 +39,12 @@ COLUMNS = {
 
 @dataclass(frozen=True, repr=False)
 class SweepItem(tables.Short):
-    """One closure of a sweep, or the error in its place."""
+    """One closure of a sweep, or the error in its place.
+
+    >>> item = coapt.close_many("human-normal")[0]
+    >>> item.valve, item.plan, item.trusted, item.problem
+    ('human-normal', 'no repair', True, '')
+    """
 
     valve_number: int
     """From 0, in the order given."""
@@ -65,7 +70,12 @@ class SweepItem(tables.Short):
 
 
 class Sweep:
-    """Every valve with every plan: iterating makes the closures. See Client.map()."""
+    """Every valve with every plan: iterating makes the closures. See Client.map().
+
+    >>> table = client.map(["human-normal"], [Plan(OwnRing(1)), Plan(OwnRing(2))]).to_frame()
+    >>> table["annuloplasty_sizes_below"].tolist()
+    [1, 2]
+    """
 
     def __init__(
         self,
