@@ -20,10 +20,8 @@ ENDED = ("SUCCEEDED", "FAILED", "CANCELLED")
 class LeadingPlan(tables.Short):
     """A search's best plan so far.
 
-    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
-    >>> best = job.wait().refresh().progress.best
-    >>> best.plan == job.result().plans[0].plan or best.nodes > 0
-    True
+    >>> coapt.LeadingPlan(Plan(OwnRing(2)), ("own ring",), cost=4.1, nodes=17, leak_mm2=0.3).plan
+    Plan(OwnRing(sizes_below=2))
     """
 
     plan: Plan
@@ -46,10 +44,8 @@ class LeadingPlan(tables.Short):
 class Progress(tables.Short):
     """How far a job is. None: none yet, or another kind of job.
 
-    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
-    >>> progress = job.wait().refresh().progress
-    >>> progress.closures <= progress.closures_planned
-    True
+    >>> print(coapt.Progress("searching", 40, 600, best_leak_mm2=1.2, best_cost=None, seconds=3.0))
+    40 of 600 closures, searching, lowest leak as planned 1.2 mm2
     """
 
     stage: str

@@ -23,9 +23,7 @@ _PAUSE_S = 2.0  # before a stream is opened again, as the service asks
 def show_progress(progress: Progress) -> None:
     """One line on standard error, written over and over: job.wait(progress=show_progress).
 
-    >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False)
-    >>> job.wait(progress=show_progress).state
-    'SUCCEEDED'
+    >>> show_progress(coapt.Progress("searching", 40, 600, best_leak_mm2=1.2, best_cost=None, seconds=3.0))
     """
     print(f"\r\033[K{progress}", end="", file=sys.stderr, flush=True)
 

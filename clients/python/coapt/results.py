@@ -130,9 +130,9 @@ class SearchResult(tables.Short):
 class Finding(tables.Short):
     """A finding of the thesis beside this valve's.
 
-    >>> result = client.study("porcine-3", "annulus").result()
-    >>> {finding.section for finding in result.findings}
-    {'4.3.1'}
+    >>> finding = coapt.Finding("dilation-orifice", "4.3.1", "it opens", "it opens", "the sign", agrees=True)
+    >>> finding.section
+    '4.3.1'
     """
 
     finding: str

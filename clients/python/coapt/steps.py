@@ -125,8 +125,9 @@ class ChordalExcision:
 
     >>> valve = coapt.preset("human-normal")
     >>> strut = next(one["id"] for one in valve.chordae if one["kind"] == "strut")
-    >>> strut in valve.close(Plan(ChordalExcision(strut))).chordae
-    False
+    >>> closure = valve.close(Plan(ChordalExcision(strut)))
+    >>> float(dict(zip(closure.chordae, closure.tension_n))[strut])
+    0.0
     """
 
     chorda: str
