@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 import unittest
 
 import coapt
@@ -200,6 +201,21 @@ class Arrays(EngineTest):
             self.assertIn(
                 type(given).__name__, str(self.refused(coapt.BadDocument, self.client.compare, closed, given))
             )
+
+    def test_anything_with_points_and_faces_is_a_shape(self):
+        closed = self.valve.close()
+        points, faces = closed.closed_mm, closed.leaflets().faces
+        for given in (
+            (points, faces), (points.tolist(), faces.astype("int64")), types.SimpleNamespace(points=points, faces=faces),
+            coapt.Mesh(points.tolist(), faces.tolist()),
+        ):  # fmt: skip
+            compared = self.client.compare(closed, given)
+            self.assertEqual((compared.max_mm, compared.node_to_node), (0.0, True))
+
+    def test_geometry_is_no_valve_and_the_error_says_what_makes_one(self):
+        for given in (self.valve.close().leaflets(), self.valve.vertices_mm, 3):
+            error = self.refused(coapt.BadDocument, self.client.close, given)
+            self.assertIn(f"{type(given).__name__} is no valve", str(error))
 
     def test_fewer_threads_than_none_are_refused(self):
         refused = self.problems(coapt.InvalidRequest, coapt.close_many, VALVE, threads=-1)

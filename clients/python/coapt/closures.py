@@ -23,6 +23,7 @@ from .meshes import Fields, Mesh
 
 if TYPE_CHECKING:
     import numpy
+    from matplotlib.axes import Axes
     from numpy.typing import NDArray
 
 Status = Literal["converged", "step_limit", "diverged"]
@@ -226,6 +227,10 @@ class Closure(tables.Short):
     def tension_n(self) -> NDArray[numpy.float64]:
         """Of each chorda at its papillary head; 0 where it is slack or ruptured."""
         return self._fields().tension_n
+
+    def plot(self, colour: str | None = "strain_radial", *, ax: Axes | None = None) -> Axes:
+        """See Mesh.plot(); plots.atrial_view() and others draw it in the plane."""
+        return self.leaflets().plot(colour, ax=ax)
 
     def save(self, path: str | os.PathLike[str], *, open: bool = False) -> None:
         """To a file that other programs open, by its ending, as Engine.export() without closing again; ".json": the

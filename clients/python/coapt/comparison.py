@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .closures import Closure, Measure
 from .errors import BadDocument, CoaptError, NoSuchFile
+from .geometry import packed_geometry
 from .local_transport import engine_module, reading, refusing
 from .meshes import Fields, Mesh, same_arrays
 
@@ -21,8 +22,9 @@ if TYPE_CHECKING:
 
     from . import _engine
 
-ShapeSource: TypeAlias = Closure | Mesh | str | os.PathLike[str]
-"""A closure of the engine, a mesh (vertices float64, faces int32 or int64), or a file: OBJ, PLY, STL, VTK, VTP or VTU, in mm."""
+ShapeSource: TypeAlias = Any
+"""A closure; a mesh: coapt's, a pair of points and faces, or one of meshio, PyVista, VTK or trimesh; or a file: OBJ, PLY, STL, VTK, VTP or
+VTU; in mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,6 +123,19 @@ def known_fields_of(told: Fields | None) -> Fields:
     return told
 
 
+def _obj(source: Any) -> bytes:
+    """:raises BadDocument: it has no points and faces"""
+    try:
+        packed = packed_geometry(source, "shape")
+    except TypeError:
+        packed = {"name": "none"}
+    if not packed["name"].endswith(".obj"):
+        raise BadDocument(
+            f"no shape: {type(source).__name__}; a closure, what has points and faces, or a file is needed"
+        )
+    return str(packed["text"]).encode()
+
+
 def native_shape(source: ShapeSource) -> Any:
     shapes = engine_module().Shape
     if isinstance(source, Closure) and isinstance(source._leaflets, LocalLeaflets):
@@ -129,9 +144,10 @@ def native_shape(source: ShapeSource) -> Any:
     if isinstance(source, (Closure, Mesh)):
         mesh = source.leaflets() if isinstance(source, Closure) else source
         with refusing():
-            return shapes.of_arrays("arrays", mesh.vertices_mm, mesh.faces.astype("int32"))
+            return shapes.of_arrays("arrays", mesh.vertices_mm, mesh.faces)
     if not isinstance(source, (str, os.PathLike)):
-        raise BadDocument(f"no shape: {type(source).__name__}; a closure, a Mesh or a file is needed")
+        with refusing():
+            return shapes.of_file("arrays", _obj(source), "obj")
     file = pathlib.Path(source)
     try:
         content = file.read_bytes()

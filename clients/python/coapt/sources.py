@@ -69,7 +69,13 @@ def valve_document(valve: Valve) -> Any:
         return valve.id
     if isinstance(valve, ValveHere):
         return valve.to_json()
-    return read_json(valve) if is_path(valve) else valve
+    if is_path(valve):
+        return read_json(valve)
+    if not isinstance(valve, (str, Mapping)):
+        raise BadDocument(
+            f"{type(valve).__name__} is no valve: a name, a file, a document; import_valve() makes one of geometry"
+        )
+    return valve
 
 
 def valve_name(valve: Valve) -> str:
