@@ -43,7 +43,7 @@ class SewnSheet {
   }
 
   /// Towards lengths that are that share of the way from those at the start.
-  Points step(const Points& start_mm, const Points& x_mm, double share) const {
+  Points step(const Points& start_mm, const Points& x_mm, double share) {
     std::vector<Eigen::Triplet<double>> entries;
     const auto put = [&](Index row, int vertex, int axis, double value) {
       if (row_[vertex] >= 0)
@@ -80,7 +80,9 @@ class SewnSheet {
     slopes.setFromTriplets(entries.begin(), entries.end());
     identity.setIdentity();
     const Matrix normal = slopes.transpose() * slopes + kDamping * identity;
-    return moved(x_mm, Eigen::SimplicialLDLT<Matrix>(normal).solve(slopes.transpose() * wanted));
+    if (solver_.cols() == 0) solver_.analyzePattern(normal);  // the same in every step
+    solver_.factorize(normal);
+    return moved(x_mm, solver_.solve(slopes.transpose() * wanted));
   }
 
  private:
@@ -88,13 +90,14 @@ class SewnSheet {
   std::vector<int> vertices_;  // that are free
   std::vector<std::vector<int>> neighbours_;
   std::vector<EdgeLength> edges_;
+  Eigen::SimplicialLDLT<Matrix> solver_;
 };
 
 }  // namespace
 
 Points sewn_shape(const Points& start_mm, const std::vector<EdgeLength>& edges,
                   const std::vector<bool>& free) {
-  const SewnSheet sheet(edges, free);
+  SewnSheet sheet(edges, free);
   Points x_mm = start_mm;
   if (sheet.unknowns() == 0) return x_mm;
   for (int step = 1; step <= kShorteningSteps + kSettlingSteps; ++step)
