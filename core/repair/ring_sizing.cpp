@@ -39,4 +39,9 @@ double ring_sizes_below(const Valve& before, const Valve& repaired) {
   return below <= 0.0 ? 0.0 : below;  // NaN if a diameter is
 }
 
+bool is_too_wide(const Valve& valve, double width_mm) {
+  constexpr double kRounding = 1e-9;
+  return width_mm > transverse_diameter_mm(valve) + 0.5 * kRingSizeStep_mm + kRounding;
+}
+
 }  // namespace coapt

@@ -22,4 +22,7 @@ double true_ring_size_mm(const Valve& valve);
 /// How far below the true size of `before` an annulus was made, in sizes of 2 mm: that of a 3 : 4 ring of its area counts. 0 if it is not below.
 double ring_sizes_below(const Valve& before, const Valve& repaired);
 
+/// Whether a ring of that true width is wider than the annulus, which no ring stretches, by more than half a size: the size next to the annulus fits.
+bool is_too_wide(const Valve& valve, double width_mm);
+
 }  // namespace coapt

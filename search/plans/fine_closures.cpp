@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/closure/refined_start.h"
-#include "core/repair/apply_plan.h"
 #include "core/valve/refine.h"
 #include "search/parallel.h"
 
@@ -59,11 +58,10 @@ FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanReco
   std::vector<std::optional<PlanClosure>> closures(plans.size() + 1);  // the last: no repair
   for_each_index(count + 1, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
-    closures[i] = i == count
-                      ? closed_finely(evaluations, evaluations.valve(), evaluations.closed_before(),
-                                      fine.mesh.levels)
-                      : closed_finely(evaluations, *apply_plan(evaluations.valve(), plans[i]->plan),
-                                      evaluations.closed(*plans[i]), fine.mesh.levels);
+    closures[i] = i == count ? closed_finely(evaluations, evaluations.valve(),
+                                             evaluations.closed_before(), fine.mesh.levels)
+                             : closed_finely(evaluations, evaluations.repaired(*plans[i]),
+                                             evaluations.closed(*plans[i]), fine.mesh.levels);
   });
   for (int i = 0; i < count; ++i)
     if (closures[i]) fine.plans.emplace(plans[i], *closures[i]);

@@ -67,8 +67,10 @@ Gate ring_width(const SurgicalOperation& operation) {
     const RingWidths width = widths(ring, operation);
     const std::string figures =
         " the annulus (" + mm(width.ring_mm) + " against " + mm(width.transverse_mm) + ")";
-    if (width.ring_mm > width.transverse_mm + kGateRounding)
+    if (is_too_wide(operation.valve, width.ring_mm))
       tell(rule, GateSeverity::Warn, "ring wider than" + figures + ": it would stretch it");
+    else if (width.ring_mm > width.transverse_mm + kGateRounding)
+      tell(rule, GateSeverity::Pass, "ring of the size next to" + figures);
     else
       tell(rule, GateSeverity::Pass, "ring no wider than" + figures);
   }

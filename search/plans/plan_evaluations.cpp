@@ -108,6 +108,7 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
       }
     for (const RepairStep& step : plan.steps)
       made->resections += std::holds_alternative<LeafletResection>(step);
+    if (made->resections > 0) made->sewn = std::make_shared<const Valve>(*repaired);
     made->avoidable_warnings = avoidable_warnings(gates);
     made->lowest_cost = effort_price(made->effort, options_.weights);
     made->least_guide =
@@ -117,13 +118,17 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
   return *records_.try_emplace(key, std::move(made)).first->second;
 }
 
+Valve PlanEvaluations::repaired(const PlanRecord& plan) const {
+  return plan.sewn ? *plan.sewn : *apply_plan(valve_, plan.plan);
+}
+
 std::shared_ptr<PlanEvaluations::State> PlanEvaluations::state_of(const PlanRecord& plan) {
   {
     const Lock lock(mutex_);
     if (const auto found = states_.find(&plan); found != states_.end()) return found->second;
   }
   auto state = std::make_shared<State>();
-  state->repaired = *apply_plan(valve_, plan.plan);
+  state->repaired = repaired(plan);
   state->closed = evaluate_(state->repaired, nullptr);
   const Lock lock(mutex_);
   const auto [entry, is_new] = states_.try_emplace(&plan, state);
@@ -256,9 +261,8 @@ bool PlanEvaluations::open(std::span<PlanRecord* const> plans, Phase phase) {
     if (stopped(phase)) return;
     PlanRecord& plan = *missing[i];
     const auto known = options_.known_openings.find(plan.key);
-    plan.opening = known != options_.known_openings.end()
-                       ? known->second
-                       : options_.open(*apply_plan(valve_, plan.plan));
+    plan.opening =
+        known != options_.known_openings.end() ? known->second : options_.open(repaired(plan));
     ++openings_;
   });
   return std::all_of(missing.begin(), missing.end(),

@@ -47,7 +47,9 @@ struct PlanRecord {
   double lowest_cost = 0.0;    ///< effort_price(): a bound from below
   double least_guide = 0.0;    ///< likewise of PlanEvaluations::guide()
   Eigen::VectorXd place;       ///< where it puts the valve, see place_of()
-  PlanClosures closures;       ///< asked for in this run
+  /// The repaired valve, kept where it takes long to make: sewing up a resection takes as long as ten closures.
+  std::shared_ptr<const Valve> sewn{};
+  PlanClosures closures;  ///< asked for in this run
   std::optional<PlanOpening> opening{};
 };
 
@@ -83,6 +85,9 @@ class PlanEvaluations {
   const Valve& valve() const { return valve_; }
   int threads() const { return options_.threads; }
   bool cancelled() const { return monitor_.cancelled(); }
+
+  /// apply_plan() of a possible plan.
+  Valve repaired(const PlanRecord& plan) const;
 
   /// Any valve, closed and measured; neither counted nor kept. From any thread.
   ClosedPlan evaluate(const Valve& valve, const ClosureResult* neighbour) const {

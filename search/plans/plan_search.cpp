@@ -72,6 +72,9 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   if (options.evidence)
     for (RankedPlan& plan : result.plans)
       plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
+  if (options.evidence && !result.plans.empty())
+    result.plans.front().other_anchors =
+        compare_anchors(evaluations, evaluations.record(result.plans.front().plan), options);
   result.opening_before = evaluations.opening_before();
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
@@ -148,23 +151,14 @@ Evaluator evaluator(const SearchOptions& options, const SearchContext& context) 
   return context.evaluate ? context.evaluate : closing_evaluator(options.closure);
 }
 
-/// Errors point into the options.
-Expected<PlanSpace> space_of(const Valve& valve, const SearchOptions& options) {
-  ProblemList problems;
-  check_option_ranges(problems, options);
-  Expected<PlanSpace> space = make_plan_space(valve, options.rules);
-  if (!space)
-    for (const Error& error : space.errors())
-      problems.add(error.code, "/rules" + error.path, error.message);
-  if (!problems.empty()) return std::move(problems).take();
-  return space;
-}
-
 }  // namespace
 
 Errors check_search(const Valve& valve, const SearchOptions& options) {
-  const Expected<PlanSpace> space = space_of(valve, options);
-  return space ? Errors{} : space.errors();
+  ProblemList problems;
+  check_option_ranges(problems, options);
+  for (const Error& error : check_plan_space(valve, options.rules))
+    problems.add(error.code, "/rules" + error.path, error.message);
+  return std::move(problems).take();
 }
 
 Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& options,

@@ -60,7 +60,7 @@ std::string in_mm(double value) { return with_decimals(value, 1) + " mm"; }
 }  // namespace
 
 PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
-                     const std::optional<Diagnosis>& diagnosis)
+                     const std::optional<Diagnosis>& diagnosis, bool first_alone)
     : valve_(valve),
       rules_(rules),
       coordinates_(leaflet_coordinates(valve)),
@@ -94,7 +94,10 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
             for (const LeafletChoice leaflet : leaflets)
               if (const Choice choice{ring, al, pm, count, chordal, leaflet};
                   (!ring.empty() || !needs_ring) && mends_rightly(choice, needs_mending))
-                if (const auto branch = make_branch(choice)) branches_.push_back(*branch);
+                if (const auto branch = make_branch(choice)) {
+                  branches_.push_back(*branch);
+                  if (first_alone) return;
+                }
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
     return step_count(a.choice) < step_count(b.choice);
   });
@@ -116,7 +119,6 @@ std::vector<std::string> PlanSpace::offer_rings() {
     return {""};
   }
   std::vector<std::string> offered = {""};
-  const double width = transverse_diameter_mm(valve_);
   const auto try_ring = [&](const Annuloplasty& step, double size) {
     RepairPlan plan = rules_.fixed;
     plan.steps.emplace_back(step);
@@ -130,9 +132,10 @@ std::vector<std::string> PlanSpace::offer_rings() {
     if (is_forbidden(rules_, "annuloplasty", shape)) {
       cut_.push_back({"ring " + shape, "forbidden"});
     } else if (sizes.empty()) {
-      cut_.push_back({"ring " + shape,
-                      "no size is within " + shown(kMostSizesBelow) + " sizes of the true one, " +
-                          in_mm(true_ring_size_mm(valve_)) + ", and no wider than the annulus"});
+      cut_.push_back(
+          {"ring " + shape, "no size is within " + shown(kMostSizesBelow) +
+                                " sizes of the true one, " + in_mm(true_ring_size_mm(valve_)) +
+                                ", and not more than half a size wider than the annulus"});
     } else {
       offered.push_back(shape);
     }
@@ -153,7 +156,8 @@ std::vector<std::string> PlanSpace::offer_rings() {
     }
     sizes.clear();
     for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
-      if (ring_width_mm(shape, size) <= width && try_ring({CatalogueRing{name, size}}, size))
+      if (!is_too_wide(valve_, ring_width_mm(shape, size)) &&
+          try_ring({CatalogueRing{name, size}}, size))
         sizes.push_back(size);
     }
     offer(name, sizes);
@@ -161,7 +165,8 @@ std::vector<std::string> PlanSpace::offer_rings() {
   for (const DesignedShape& shape : rules_.shapes) {
     sizes.clear();
     for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
-      if (size <= width && try_ring({DesignedRing{shape, size}}, size)) sizes.push_back(size);
+      if (!is_too_wide(valve_, size) && try_ring({DesignedRing{shape, size}}, size))
+        sizes.push_back(size);
     }
     offer(shape.name, sizes);
   }
@@ -475,15 +480,14 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
   return plan;
 }
 
-Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules,
-                                    const std::optional<Diagnosis>& diagnosis) {
+Errors check_plan_space(const Valve& valve, const SearchRules& rules) {
   if (Errors errors = check_rules(valve, rules); !errors.empty()) return errors;
   if (Errors errors = check_fitted_parameters(valve); !errors.empty()) return errors;
-  PlanSpace space(valve, rules, diagnosis);
-  if (!space.branches().empty()) return space;
+  const PlanSpace space(valve, rules, {}, true);
+  if (!space.branches().empty()) return {};
   std::string why;
   for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;
-  return Error{ErrorCode::ImpossibleStep, "", "leave no plan to try" + why};
+  return {{ErrorCode::ImpossibleStep, "", "leave no plan to try" + why}};
 }
 
 }  // namespace coapt

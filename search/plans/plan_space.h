@@ -3,7 +3,7 @@
 //
 //   no operation      if the valve is competent, or may be
 //   ring              with every repair (none where rules leave none); of the catalogue 3 : 4 for every valve, shorter ones for tethered leaflets, and each of
-//                     SearchRules::shapes; up to 4 sizes below the true one (ring_sizing.h), none wider than the annulus; the own shape on request
+//                     SearchRules::shapes; up to 4 sizes below the true one (ring_sizing.h), none more than half a size wider than the annulus; the own shape on request
 //   papillary suture  where leaflets are tethered, to trigone, saddle peak or a free point of the anterior annulus, for a displaced
 //                     muscle: its tip further from its trigone than mean + sd of normal hearts
 //                     (23.5, 3.8 mm; n = 57); first moved to where that mean is
@@ -37,8 +37,10 @@ struct CutBranches {
 class PlanSpace {
  public:
   /// @pre check_rules() is empty.
+  /// @param diagnosis of the valve: what is indicated; none: everything is offered
+  /// @param first_alone stops at the first branch that is possible: is there any?
   PlanSpace(const Valve& valve, const SearchRules& rules,
-            const std::optional<Diagnosis>& diagnosis = {});
+            const std::optional<Diagnosis>& diagnosis = {}, bool first_alone = false);
 
   /// Fewest steps first, then in a fixed order; empty if nothing is left to decide.
   const std::vector<Branch>& branches() const { return branches_; }
@@ -81,9 +83,7 @@ class PlanSpace {
   std::vector<CutBranches> cut_;
 };
 
-/// Errors are those of check_rules(), or that the rules leave no plan to try, and why.
-/// @param diagnosis of the valve: what is indicated; none: everything is offered
-Expected<PlanSpace> make_plan_space(const Valve& valve, const SearchRules& rules,
-                                    const std::optional<Diagnosis>& diagnosis = {});
+/// Those of check_rules(), or that the rules leave no plan to try, whatever is indicated, and why.
+Errors check_plan_space(const Valve& valve, const SearchRules& rules);
 
 }  // namespace coapt

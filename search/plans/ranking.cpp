@@ -9,7 +9,6 @@
 #include <string>
 
 #include "core/metrics/area_error.h"
-#include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
 #include "core/repair/describe.h"
 #include "core/valve/number_text.h"
@@ -75,6 +74,12 @@ std::vector<Gate> gates_of(const PlanEvaluations& evaluations, const PlanRecord&
   return gates;
 }
 
+/// The same. @pre closed as planned
+std::vector<Gate> known_gates(PlanEvaluations& evaluations, const PlanRecord& record) {
+  return gates_of(evaluations, record, evaluations.repaired(record),
+                  evaluations.closed(record).evaluation);
+}
+
 /// By what is known of it so far. @pre closed as planned
 PlanMerits merits_of(const PlanEvaluations& evaluations, const PlanRecord& record, int nodes,
                      const std::vector<Gate>& gates, bool durable, const Acceptance& acceptance) {
@@ -110,13 +115,9 @@ std::vector<PlanPlace> order_over(PlanEvaluations& evaluations,
                                   const SearchOptions& options) {
   const bool durable = all_durabilities_known(plans);
   std::vector<PlanMerits> merits;
-  for (const PlanRecord* plan : plans) {
-    const Expected<Valve> repaired = apply_plan(evaluations.valve(), plan->plan);
-    const std::vector<Gate> gates =
-        gates_of(evaluations, *plan, *repaired, evaluations.closed(*plan).evaluation);
-    merits.push_back(merits_of(evaluations, *plan, nodes, gates, durable,
+  for (const PlanRecord* plan : plans)
+    merits.push_back(merits_of(evaluations, *plan, nodes, known_gates(evaluations, *plan), durable,
                                acceptance_of(evaluations, *plan, nodes, {}, {})));
-  }
   return order_of(merits, options.rank_by_price);
 }
 
@@ -137,15 +138,20 @@ void keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, in
   plans.resize(options.plans);
 }
 
-/// Adds simpler versions of plans of the first class, closed as far as these are. False if it was stopped.
+/// Adds simpler versions of plans of the first class, and safer ones of those that are warned of, closed as far as these are. False if it was stopped.
 bool add_simpler(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
                  const SearchOptions& options) {
   std::vector<PlanRecord*> added;
   for (const auto& [index, of_class] : order_over(evaluations, plans, nodes, options)) {
     if (of_class > 1) break;
-    for (const RepairPlan& simpler :
-         simpler_plans(evaluations.valve(), plans[index]->plan, options.rules)) {
-      PlanRecord* const record = &evaluations.record(simpler);
+    const RepairPlan& plan = plans[index]->plan;
+    std::vector<RepairPlan> versions;
+    if (avoidable_warnings(known_gates(evaluations, *plans[index])) > 0)
+      versions = safer_plans(evaluations.valve(), plan, options.rules);
+    for (RepairPlan& simpler : simpler_plans(evaluations.valve(), plan, options.rules))
+      versions.push_back(std::move(simpler));
+    for (const RepairPlan& version : versions) {
+      PlanRecord* const record = &evaluations.record(version);
       const auto has = [record](const std::vector<PlanRecord*>& some) {
         return std::find(some.begin(), some.end(), record) != some.end();
       };
@@ -204,8 +210,8 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   RankedPlan plan;
   plan.plan = record.plan;
   plan.description = describe(evaluations.valve(), record.plan);
-  const Expected<Valve> repaired = apply_plan(evaluations.valve(), record.plan);
-  const ClosedPlan closed = with_leak_surface(*repaired, evaluations.closed(record));
+  const Valve repaired = evaluations.repaired(record);
+  const ClosedPlan closed = with_leak_surface(repaired, evaluations.closed(record));
   const Evaluation& evaluation = closed.evaluation;
   plan.status = evaluation.status;
   plan.crossing = evaluation.crossing;
@@ -220,7 +226,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.region = region_report(record, own > kBeforeTheRegion ? own : nodes);
   plan.region.leak_mm2.nominal = plan.region.independent_leak_mm2.nominal =
       plan.measure.leak.area_mm2;
-  if (const auto drawn = closed_valve(*repaired, closed))
+  if (const auto drawn = closed_valve(repaired, closed))
     plan.closed =
         std::make_shared<const ClosedValve>(with_repair(*drawn, evaluations.valve(), record.plan));
   plan.opening = record.opening;
@@ -230,7 +236,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
     plan.durability_price = price(lost, evaluations.context().weights);
     plan.terms.amounts += lost.amounts;
   }
-  plan.gates = gates_of(evaluations, record, *repaired, evaluation);
+  plan.gates = gates_of(evaluations, record, repaired, evaluation);
   plan.warnings = warnings_of(plan.gates);
   if (record.opening && record.opening->behind_clip) plan.warnings.push_back(kUnknownBehindClip);
   if (!record.plan.steps.empty() && plan.region.leak_mm2.worst > kMildLeak_mm2)
@@ -322,6 +328,24 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes) {
   close_up_to(evaluations, {&plan}, nodes);
+}
+
+std::vector<OtherAnchor> compare_anchors(PlanEvaluations& evaluations, const PlanRecord& plan,
+                                         const SearchOptions& options) {
+  std::vector<OtherAnchor> compared;
+  const int nodes = std::min({kChosenBy, options.region_points, nodes_of(plan)});
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
+    const PapillaryApproximation* const suture = suture_of(plan.plan, side);
+    if (suture == nullptr) continue;
+    const bool at_trigone = suture->anchor == Anchor::IpsilateralTrigone;
+    const Anchor anchor = at_trigone ? Anchor::SaddlePeak : Anchor::IpsilateralTrigone;
+    PlanRecord& other = evaluations.record(
+        with_anchor(evaluations.valve(), plan.plan, side, anchor, options.rules.suture_lattice_mm));
+    if (!other.possible || !close_up_to(evaluations, {&other}, nodes)) continue;
+    compared.push_back({side, suture->anchor, anchor,
+                        leak_statistics(other, nodes).mean - leak_statistics(plan, nodes).mean});
+  }
+  return compared;
 }
 
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,

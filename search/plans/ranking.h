@@ -25,7 +25,7 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
 /// alone, and of both by themselves.
 int evidence_closures(const RepairPlan& plan);
 
-/// Closes the finalists at as many nodes as the ladder goes, joined by simpler versions of the first class (simpler_plans.h), dropping the last on the
+/// Closes the finalists at as many nodes as the ladder goes, joined by simpler and safer versions of the first class (simpler_plans.h), dropping the last on the
 /// way down to options.plans, of two that are the same in surgical terms the later one first; the evidence, if asked for: disease before the first are dropped, whose price then counts; for those that stay single sutures,
 /// independent errors, remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
 /// ones.
@@ -36,6 +36,11 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 
 /// Closes a plan at so many nodes: its map.
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes);
+
+/// Of each of a plan's papillary sutures the saddle peak in place of its trigone, or the trigone in place of any other anchor, moved as far: over kChosenBy
+/// nodes, at most options.region_points. None if it was stopped, or is not possible.
+std::vector<OtherAnchor> compare_anchors(PlanEvaluations& evaluations, const PlanRecord& plan,
+                                         const SearchOptions& options);
 
 /// Plans in the order of plan_order.h, over the nodes that all of them have closed, at most options.region_points. Whether a plan is
 /// acceptable is asked of the fine closures and of draws of the model, too; the cost is of its own mesh.

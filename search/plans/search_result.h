@@ -22,6 +22,14 @@
 
 namespace coapt {
 
+/// What another anchor of a papillary suture would change.
+struct OtherAnchor {
+  Side side = Side::Posteromedial;
+  Anchor anchor = Anchor::IpsilateralTrigone;  ///< the plan's
+  Anchor other = Anchor::SaddlePeak;
+  double more_mm2 = 0.0;  ///< mean leak, more than with the plan's
+};
+
 struct RankedPlan {
   int rank = 0;
   std::string name;  ///< of an own plan: its name, or those of all that are the same; else empty
@@ -56,6 +64,7 @@ struct RankedPlan {
   std::optional<ModelSpread> model;
   /// With the evidence; else none.
   std::optional<StartCheck> starts{};
+  std::vector<OtherAnchor> other_anchors{};  ///< with the evidence, of the first plan
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
   /// That the valve leaks less than kMildLeak_mm2, over errors of the hand, tissue and mesh (acceptance.h).

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
 #include "core/repair/limits.h"
 #include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
-#include "core/valve/annulus_frame.h"
 #include "search/plans/plan_key.h"
 
 namespace coapt {
 namespace {
+
+constexpr int kSaferSizes = 2;
 
 bool is_fixed(const SearchRules& rules, const RepairStep& step) {
   return std::any_of(
@@ -20,21 +22,32 @@ bool is_fixed(const SearchRules& rules, const RepairStep& step) {
       [&](const RepairStep& fixed) { return plan_key({{fixed}}) == plan_key({{step}}); });
 }
 
-/// The smallest ring of its shape that is not a whole size below the true one, no wider than the annulus.
+/// That rules leave open; null: none.
+CatalogueRing* open_ring(RepairPlan& plan, const SearchRules& rules) {
+  for (RepairStep& step : plan.steps)
+    if (auto* const ring = std::get_if<Annuloplasty>(&step); ring && !is_fixed(rules, step))
+      if (auto* const made = std::get_if<CatalogueRing>(&ring->ring)) return made;
+  return nullptr;
+}
+
+/// Whether there is a next size.
+bool enlarge(const Valve& valve, CatalogueRing& ring) {
+  const double next_mm = ring.size_mm + kRingSizeStep_mm;
+  if (next_mm > kRingSizesMm.max ||
+      is_too_wide(valve, ring_width_mm(*find_ring(ring.shape), next_mm)))
+    return false;
+  ring.size_mm = next_mm;
+  return true;
+}
+
+/// The smallest ring of its shape that is not a whole size below the true one.
 RepairPlan with_true_size(const Valve& valve, RepairPlan plan, const SearchRules& rules) {
-  for (RepairStep& step : plan.steps) {
-    auto* const ring = std::get_if<Annuloplasty>(&step);
-    auto* const made = ring ? std::get_if<CatalogueRing>(&ring->ring) : nullptr;
-    if (made == nullptr || is_fixed(rules, step)) continue;
-    const auto sizes_below = [&] {
-      const Expected<Valve> ringed = apply_plan(valve, {{step}});
-      return ringed ? std::lround(ring_sizes_below(valve, *ringed)) : 0L;
-    };
-    const double next_mm = kRingSizeStep_mm;
-    while (sizes_below() > 0 && made->size_mm + next_mm <= kRingSizesMm.max &&
-           ring_width_mm(*find_ring(made->shape), made->size_mm + next_mm) <=
-               transverse_diameter_mm(valve))
-      made->size_mm += next_mm;
+  CatalogueRing* const ring = open_ring(plan, rules);
+  const auto sizes_below = [&] {
+    const Expected<Valve> ringed = apply_plan(valve, {{Annuloplasty{*ring}}});
+    return ringed ? std::lround(ring_sizes_below(valve, *ringed)) : 0L;
+  };
+  while (ring && sizes_below() > 0 && enlarge(valve, *ring)) {
   }
   return plan;
 }
@@ -42,6 +55,32 @@ RepairPlan with_true_size(const Valve& valve, RepairPlan plan, const SearchRules
 RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules& rules) {
   if (is_forbidden(rules, "papillary_approximation", to_string(Anchor::IpsilateralTrigone)))
     return plan;
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial})
+    if (const auto* const suture = suture_of(plan, side); suture && !is_fixed(rules, *suture))
+      plan = with_anchor(valve, std::move(plan), side, Anchor::IpsilateralTrigone,
+                         rules.suture_lattice_mm);
+  return plan;
+}
+
+/// Others than the plan, each once, and possible.
+std::vector<RepairPlan> distinct(const Valve& valve, const RepairPlan& plan,
+                                 const std::vector<RepairPlan>& versions) {
+  std::vector<RepairPlan> found;
+  std::vector<std::string> seen = {plan_key(plan)};
+  for (const RepairPlan& version : versions) {
+    const std::string key = plan_key(version);
+    if (std::find(seen.begin(), seen.end(), key) != seen.end() || !apply_plan(valve, version))
+      continue;
+    seen.push_back(key);
+    found.push_back(version);
+  }
+  return found;
+}
+
+}  // namespace
+
+RepairPlan with_anchor(const Valve& valve, RepairPlan plan, Side side, Anchor anchor,
+                       double lattice_mm) {
   RepairPlan before_sutures = plan;
   std::erase_if(before_sutures.steps,
                 [](const RepairStep& step) { return !std::holds_alternative<Annuloplasty>(step); });
@@ -49,33 +88,31 @@ RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules&
   if (!ringed) return plan;
   for (RepairStep& step : plan.steps) {
     auto* const suture = std::get_if<PapillaryApproximation>(&step);
-    if (suture == nullptr || is_fixed(rules, step)) continue;
+    if (suture == nullptr || suture->side != side) continue;
     const double movement = std::min(
         kUsualMovement_mm, anchor_distance_mm(*ringed, *suture) - suture->suture_length_mm);
-    suture->anchor = Anchor::IpsilateralTrigone;
-    const double lattice = rules.suture_lattice_mm;
+    suture->anchor = anchor;
     suture->suture_length_mm =
-        lattice * std::ceil((anchor_distance_mm(*ringed, *suture) - movement) / lattice);
+        lattice_mm * std::ceil((anchor_distance_mm(*ringed, *suture) - movement) / lattice_mm);
   }
   return plan;
 }
 
-}  // namespace
-
 std::vector<RepairPlan> simpler_plans(const Valve& valve, const RepairPlan& plan,
                                       const SearchRules& rules) {
-  std::vector<RepairPlan> found;
-  std::vector<std::string> seen = {plan_key(plan)};
   const RepairPlan truly = with_true_size(valve, plan, rules);
-  for (const RepairPlan& simpler :
-       {with_trigones(valve, plan, rules), truly, with_trigones(valve, truly, rules)}) {
-    const std::string key = plan_key(simpler);
-    if (std::find(seen.begin(), seen.end(), key) != seen.end() || !apply_plan(valve, simpler))
-      continue;
-    seen.push_back(key);
-    found.push_back(simpler);
-  }
-  return found;
+  return distinct(valve, plan,
+                  {with_trigones(valve, plan, rules), truly, with_trigones(valve, truly, rules)});
+}
+
+std::vector<RepairPlan> safer_plans(const Valve& valve, const RepairPlan& plan,
+                                    const SearchRules& rules) {
+  RepairPlan larger = plan;
+  std::vector<RepairPlan> versions;
+  CatalogueRing* const ring = open_ring(larger, rules);
+  while (ring && std::ssize(versions) < kSaferSizes && enlarge(valve, *ring))
+    versions.push_back(larger);
+  return distinct(valve, plan, versions);
 }
 
 }  // namespace coapt

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/repair/apply_plan.h"
 #include "search/parallel.h"
 
 namespace coapt {
@@ -11,13 +10,12 @@ std::optional<StartCheck> check_starts(PlanEvaluations& evaluations, const PlanR
   const int count = std::min(kStartSample, nodes - 1);
   if (count < 1 || evaluations.cancelled() || !evaluations.closed(plan).closure)
     return std::nullopt;
-  const Expected<Valve> repaired = apply_plan(evaluations.valve(), plan.plan);
+  const Valve repaired = evaluations.repaired(plan);
   std::vector<std::optional<StartCheck>> checks(count);
   for_each_index(count, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
     const int node = (i + 1) * (nodes - 1) / count;
-    const Valve disturbed =
-        disturb(evaluations.valve(), *repaired, plan.plan, disturbances()[node]);
+    const Valve disturbed = disturb(evaluations.valve(), repaired, plan.plan, disturbances()[node]);
     const ClosedPlan predicted = evaluations.closed(plan, node),
                      cold = evaluations.evaluate(disturbed, nullptr);
     checks[i] = StartCheck{};

@@ -1,21 +1,14 @@
 #include "search/plans/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/closed/diagnosis.h"
-#include "core/repair/approximation.h"
 #include "core/valve/number_text.h"
 #include "search/plans/plan_order.h"
 
 namespace coapt {
 namespace {
-
-/// Of the papillary suture, where a plan has one alone; else null.
-const PapillaryApproximation* only_suture(const RepairPlan& plan) {
-  const PapillaryApproximation* const al = suture_of(plan, Side::Anterolateral);
-  const PapillaryApproximation* const pm = suture_of(plan, Side::Posteromedial);
-  return al && pm ? nullptr : al ? al : pm;
-}
 
 std::string anchor_words(Anchor anchor) {
   switch (anchor) {
@@ -29,24 +22,24 @@ std::string anchor_words(Anchor anchor) {
   return "";
 }
 
-/// Which anchors of the same muscle are in the first plan's class; empty if there is but one.
-std::string anchors_of_class(const std::vector<RankedPlan>& plans) {
-  const PapillaryApproximation* const own = only_suture(plans.front().plan);
-  if (!own) return "";
-  std::string others;
-  std::vector<Anchor> seen = {own->anchor};
-  for (const RankedPlan& plan : plans) {
-    const PapillaryApproximation* const suture = only_suture(plan.plan);
-    if (plan.of_class != plans.front().of_class || !suture || suture->side != own->side ||
-        std::find(seen.begin(), seen.end(), suture->anchor) != seen.end())
-      continue;
-    seen.push_back(suture->anchor);
-    others += (others.empty() ? "" : " and ") + anchor_words(suture->anchor) + " (plan " +
-              std::to_string(plan.rank) + ")";
+/// Of a mean leak, within less than which two are alike.
+std::string tenths_above(double leak_mm2) {
+  return with_decimals(std::max(0.1, std::ceil(10.0 * leak_mm2) / 10.0), 1) + " mm²";
+}
+
+/// Where its papillary sutures are anchored, and what the other anchor would change; empty without such figures.
+std::string anchors_of(const RankedPlan& plan) {
+  std::string words;
+  for (const OtherAnchor& anchor : plan.other_anchors) {
+    const double apart = std::abs(anchor.more_mm2);
+    words += std::string(" The anchor of the ") + to_string(anchor.side) + " muscle is " +
+             anchor_words(anchor.anchor) + "; " + anchor_words(anchor.other) +
+             (apart < kTraceLeak_mm2 ? " is equal within " + tenths_above(apart) + " of leak"
+                                     : " leaks " + with_decimals(apart, 1) + " mm² " +
+                                           (anchor.more_mm2 > 0.0 ? "more" : "less")) +
+             ", over errors of the hand.";
   }
-  if (others.empty()) return "";
-  return " Its anchor is " + anchor_words(own->anchor) + "; " + others +
-         (seen.size() > 2 ? " do" : " does") + " as well.";
+  return words;
 }
 
 /// Which plans come first in other settings of the thresholds; empty if none does.
@@ -93,8 +86,8 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
                               ? "Plans 1 to " + std::to_string(alike) +
                                     " cannot be told apart; plan 1 is the simplest of them. It"
                               : std::string("Plan 1");
-  return who + " " + likely + ", over errors of the hand, tissue and mesh." +
-         anchors_of_class(plans) + choice_of(plans);
+  return who + " " + likely + ", over errors of the hand, tissue and mesh." + anchors_of(first) +
+         choice_of(plans);
 }
 
 }  // namespace coapt

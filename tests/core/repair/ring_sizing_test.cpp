@@ -4,6 +4,7 @@
 
 #include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
+#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "tests/scenes/small_preset.h"
 
@@ -22,6 +23,14 @@ TEST(RingSizing, TheTrueSizeIsThatOfTheAnteriorLeafletOnAnyMesh) {
 TEST(RingSizing, NoRingIsWiderThanTheAnnulus) {
   const Valve& valve = shared_preset("hypertrophic", 200);  // leaflets of 32 mm, for a ring of 42
   EXPECT_EQ(true_ring_size_mm(valve), transverse_diameter_mm(valve));
+}
+
+TEST(RingSizing, TheSizeNextToTheAnnulusIsNotTooWide) {
+  const Valve& valve = shared_preset("human-normal", 200);
+  const double width_mm = transverse_diameter_mm(valve);
+  for (const double beside_mm : {-8.0, 0.0, 0.5 * kRingSizeStep_mm})
+    EXPECT_FALSE(is_too_wide(valve, width_mm + beside_mm)) << beside_mm;
+  EXPECT_TRUE(is_too_wide(valve, width_mm + 0.5 * kRingSizeStep_mm + 0.1));
 }
 
 TEST(RingSizing, SizesAreCountedByAreaAndFromTheTrueSize) {

@@ -86,6 +86,10 @@ TEST(Gates, RingsWiderThanTheAnnulusStretchIt) {
   expect_gate(gates(ring(36.0)), "ring_width", GateSeverity::Pass, "36.0 mm");
   expect_gate(gates(ring(34.0, kWide)), "ring_width", GateSeverity::Warn, "38.1 mm");
   expect_gate(gates(own_ring(0)), "ring_width", GateSeverity::Pass, "36.0 mm");
+  Valve narrower = fitting_valve();
+  narrower.annulus_mm.col(0) *= 35.2 / 36.0;
+  expect_gate(gates({{ring(36.0)}}, narrower), "ring_width", GateSeverity::Pass,
+              "ring of the size next to the annulus (36.0 mm against 35.2 mm)");
 }
 
 TEST(Gates, RingsLabelled27OrLessPredictStenosis) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/describe.h"
 #include "core/repair/rings.h"
 #include "core/valve/ruptures.h"
 #include "tests/scenes/small_preset.h"
@@ -94,19 +96,16 @@ int steps(const Choice& c) {
 TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongOrLeaveNoPlan) {
   SearchRules wrong;
   wrong.forbidden = {"neochorda", "leeches"};
-  const Expected<PlanSpace> refused = make_plan_space(small_valve(), wrong);
-  ASSERT_FALSE(refused);
-  ASSERT_EQ(refused.errors().size(), 1u);
-  EXPECT_EQ(refused.errors()[0].path, "/forbidden/1");
-  const Expected<PlanSpace> empty =
-      make_plan_space(small_valve(), forbidding({"annuloplasty", "papillary_approximation"}));
-  ASSERT_FALSE(empty);
-  EXPECT_EQ(empty.errors()[0].path, "");
-  EXPECT_TRUE(empty.errors()[0].message.starts_with("leave no plan to try; "))
-      << empty.errors()[0].message;
-  const Expected<PlanSpace> space = make_plan_space(small_valve(), {});
-  ASSERT_TRUE(space);
-  EXPECT_EQ(space->branches().size(), space_of(small_valve()).branches().size());
+  const Errors refused = check_plan_space(small_valve(), wrong);
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_EQ(refused[0].path, "/forbidden/1");
+  const Errors empty =
+      check_plan_space(small_valve(), forbidding({"annuloplasty", "papillary_approximation"}));
+  ASSERT_EQ(empty.size(), 1u);
+  EXPECT_EQ(empty[0].path, "");
+  EXPECT_TRUE(empty[0].message.starts_with("leave no plan to try; ")) << empty[0].message;
+  EXPECT_TRUE(check_plan_space(small_valve(), {}).empty());
+  EXPECT_EQ(PlanSpace(small_valve(), {}, {}, true).branches().size(), 1u);
 }
 
 TEST(PlanSpace, SuturesAreOfferedToDisplacedMusclesOnly) {
@@ -121,7 +120,7 @@ TEST(PlanSpace, SuturesAreOfferedToDisplacedMusclesOnly) {
 
 TEST(PlanSpace, ARingOfWhichNoSizeSuitsTheAnnulusIsCut) {
   Valve narrow = near_tips();
-  narrow.annulus_mm.col(0) *= 23.0 / 36.0;
+  narrow.annulus_mm.col(0) *= 22.0 / 36.0;
   EXPECT_EQ(space_of(narrow).branches().size(), 1u);
   for (const RingShape& shape : kRingShapes)
     EXPECT_TRUE(is_cut(space_of(narrow), "ring " + std::string(shape.name), "23.0 mm"));
@@ -395,6 +394,29 @@ TEST(Indication, NeochordaeGoToEveryLeafletThatProlapses) {
     }
     EXPECT_EQ(neochordae[1].insertion.leaflet, Leaflet::Posterior);
     EXPECT_LT(neochordae[1].insertion.along, 0.4) << "P1";
+  }
+}
+
+TEST(PlanSpace, ACommissuralLesionIsHeldOnBothLeafletsFromItsOwnMuscle) {
+  const Valve& valve = shared_preset("human-normal", 200);
+  for (const auto& [anterior, posterior, side] :
+       {std::tuple(Segment::A1, Segment::P1, Side::Anterolateral),
+        std::tuple(Segment::A3, Segment::P3, Side::Posteromedial)}) {
+    const PlanSpace space(valve, {}, diagnosis_of({CarpentierType::II}, {posterior, anterior}));
+    ASSERT_FALSE(space.branches().empty());
+    const Branch& simplest = space.branches().front();
+    ASSERT_EQ(simplest.choice.neochordae, 2);
+    const RepairPlan plan = space.plan(simplest, start_of(simplest));
+    std::set<std::string> held;
+    for (const RepairStep& step : plan.steps) {
+      const auto* const neochorda = std::get_if<Neochorda>(&step);
+      if (neochorda == nullptr) continue;
+      EXPECT_EQ(neochorda->head.substr(0, 2), side == Side::Anterolateral ? "AL" : "PM");
+      held.insert(describe(valve, {{step}})
+                      .front()
+                      .substr(describe(valve, {{step}}).front().rfind(' ') + 1));
+    }
+    EXPECT_EQ(held, (std::set<std::string>{to_string(anterior), to_string(posterior)}));
   }
 }
 

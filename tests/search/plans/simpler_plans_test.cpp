@@ -48,6 +48,19 @@ TEST(SimplerPlans, AFreePointBecomesTheTrigoneWithAsMuchMovement) {
   }
 }
 
+TEST(SaferPlans, AreTheNextSizesThatTheAnnulusTakes) {
+  const auto sizes = [](double size_mm) {
+    std::vector<double> found;
+    for (const RepairPlan& safer : safer_plans(functional(), {{ring(size_mm)}}, {}))
+      found.push_back(std::get<CatalogueRing>(std::get<Annuloplasty>(safer.steps[0]).ring).size_mm);
+    return found;
+  };
+  EXPECT_EQ(sizes(26.0), (std::vector{28.0, 30.0}));
+  EXPECT_EQ(sizes(38.0), (std::vector{40.0}));
+  EXPECT_TRUE(sizes(40.0).empty());
+  EXPECT_TRUE(safer_plans(functional(), {{ring(26.0)}}, {.fixed = {{ring(26.0)}}}).empty());
+}
+
 TEST(SimplerPlans, WhatRulesFixOrForbidIsLeftAsItIs) {
   const RepairPlan plan{{ring(26.0), free_suture(24.0)}};
   SearchRules rules;
