@@ -10,6 +10,7 @@ namespace coapt {
 void add_bench_closures(Command parent, int& status);
 void add_bench_search(Command parent, int& status);
 void add_bench_front(Command parent, int& status);
+void add_bench_indications(Command parent, int& status);
 void add_chart(Command parent, int& status);
 void add_leak(Command parent, int& status);
 

@@ -13,6 +13,7 @@ void add_commands(Command app, int& status) {
   add_bench_closures(bench, status);
   add_bench_search(bench, status);
   add_bench_front(bench, status);
+  add_bench_indications(bench, status);
   add_chart(app, status);
   add_leak(app, status);
 }

@@ -35,5 +35,14 @@ class BenchSearch(ProgramTest):
         self.assertIn("porcine-both", result.stderr)
 
 
+class BenchIndications(ProgramTest):
+    def test_a_valve_that_is_not_of_the_table_is_refused_with_those_that_are(self):
+        result = coapt_lab(
+            "bench", "indications", "--members", "0", "--valve", "moon", "-o", self.folder / "indications.csv"
+        )
+        self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
+        self.assertIn("must be a valve of the table: atrial, ischaemic", result.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()
