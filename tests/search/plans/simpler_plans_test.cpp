@@ -56,9 +56,13 @@ TEST(SaferPlans, AreTheNextSizesThatTheAnnulusTakes) {
     return found;
   };
   EXPECT_EQ(sizes(26.0), (std::vector{28.0, 30.0}));
-  EXPECT_EQ(sizes(38.0), (std::vector{40.0}));
-  EXPECT_TRUE(sizes(40.0).empty());
-  EXPECT_TRUE(safer_plans(functional(), {{ring(26.0)}}, {.fixed = {{ring(26.0)}}}).empty());
+  double widest_mm = 30.0;
+  while (!is_too_wide(functional(), widest_mm + kRingSizeStep_mm)) widest_mm += kRingSizeStep_mm;
+  EXPECT_EQ(sizes(widest_mm - kRingSizeStep_mm), (std::vector{widest_mm}));
+  EXPECT_TRUE(sizes(widest_mm).empty());
+  SearchRules rules;
+  rules.fixed.steps = {ring(26.0)};
+  EXPECT_TRUE(safer_plans(functional(), {{ring(26.0)}}, rules).empty());
 }
 
 TEST(SimplerPlans, WhatRulesFixOrForbidIsLeftAsItIs) {
