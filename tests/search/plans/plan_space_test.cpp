@@ -123,7 +123,7 @@ TEST(PlanSpace, ARingOfWhichNoSizeSuitsTheAnnulusIsCut) {
   narrow.annulus_mm.col(0) *= 22.0 / 36.0;
   EXPECT_EQ(space_of(narrow).branches().size(), 1u);
   for (const RingShape& shape : kRingShapes)
-    EXPECT_TRUE(is_cut(space_of(narrow), "ring " + std::string(shape.name), "23.0 mm"));
+    EXPECT_TRUE(is_cut(space_of(narrow), "ring " + std::string(shape.name), "22.0 mm"));
 }
 
 TEST(PlanSpace, DesignedShapesAreOfferedBesideTheCatalogue) {
