@@ -115,8 +115,16 @@ LocalSpace space_of(const LocalValve& valve, std::string_view search, bool indic
     const ClosedValve closed = close_and_measure(*valve.valve);
     diagnosis = diagnose(closed.valve, closed.closure, closed.measure);
   }
-  return {valve.valve, std::make_shared<const PlanSpace>(taken(
-                           make_plan_space(*valve.valve, options.rules, diagnosis), "/rules"))};
+  // The rules leave no plan, or nothing is indicated.
+  const auto refuse = [](Errors errors) -> Expected<LocalSpace> { return errors; };
+  if (Errors errors = check_plan_space(*valve.valve, options.rules); !errors.empty())
+    return taken(refuse(std::move(errors)), "/rules");
+  LocalSpace made{valve.valve,
+                  std::make_shared<const PlanSpace>(*valve.valve, options.rules, diagnosis)};
+  if (!made.space->branches().empty()) return made;
+  std::string why;
+  for (const CutBranches& cut : made.space->cut()) why += "; " + cut.what + ": " + cut.why;
+  return taken(refuse({{ErrorCode::ImpossibleStep, "", "leave no plan to try" + why}}), "/rules");
 }
 
 std::string space_document(const LocalSpace& space) {
