@@ -258,12 +258,14 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 
 }  // namespace
 
+constexpr int kBothSides = 2;
+
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
   const int finalists = (kFinalists + 1) * options.plans;
   int most = finalists * before + options.plans * (options.region_points - before);
   if (options.evidence)
-    most += finalists * kDisease.count +
+    most += kBothSides * kChosenBy + finalists * kDisease.count +
             options.plans * (kRemodelling.count + kAnterolateralAlone.count +
                              kPosteromedialAlone.count + kIndependent.count);
   return most;
@@ -273,15 +275,17 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
   const int before = std::min(kBeforeTheRegion, options.region_points);
   const int staying = std::min(options.plans, static_cast<int>(finalists.size()));
   int most = staying * (options.region_points - before);
+  int sutures = 0;  // of the first plan, at most: compare_anchors()
   std::vector<int> evidence;
   for (PlanRecord* plan : finalists) {
+    sutures = std::max(sutures, plan->muscles);
     most += std::max(0, before - common_nodes({plan}));
     if (options.evidence) most += disease_closures_left(*plan);
     evidence.push_back(evidence_closures(plan->plan) - kDisease.count);
   }
   if (!options.evidence) return most;
   std::sort(evidence.begin(), evidence.end(), std::greater<>());
-  return std::accumulate(evidence.begin(), evidence.begin() + staying, most);
+  return std::accumulate(evidence.begin(), evidence.begin() + staying, most + sutures * kChosenBy);
 }
 
 int evidence_closures(const RepairPlan& plan) {

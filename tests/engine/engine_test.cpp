@@ -92,7 +92,7 @@ TEST_F(EngineTest, RingsAreThoseOfThePlans) {
 }
 
 TEST_F(EngineTest, WhatNeedsAServiceSaysSo) {
-  EXPECT_EQ(answer("/v1/plans", on_valve()).status, 404);
+  EXPECT_EQ(answer("/v1/studies", on_valve()).status, 404);
 }
 
 TEST(TrainingEngine, MakesTheCaseOfASeedWithItsShapes) {

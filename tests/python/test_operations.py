@@ -101,7 +101,6 @@ class Operations(ServerTest):
 
     def ask(self, path, request):
         file = self.write("request.json", json.dumps(request))
-        head = self.folder / "head.txt"
         body = self.folder / "body"
         arguments = ["-H", "Content-Type: application/json", "--data-binary", f"@{file}", "--output", body]
         status, headers, _ = self.curl_with_headers(path, *arguments)

@@ -19,7 +19,6 @@ from .jobs import Job
 from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
 from .meshes import Picture
 from .openings import Opening
-from .results import Evaluations, SearchResult, StudyResult
 from .service import Service
 from .sources import PlanSource, Valve, ValveHere, of_this_valve, valve_document
 from .spaces import Objective, Space, space_of
