@@ -165,7 +165,8 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
                                     const SearchContext& context) {
   if (Errors errors = check_search(valve, options); !errors.empty()) return errors;
   SearchMonitor monitor(options.seconds, context.cancelled, context.progress, context.now);
-  monitor.plan(1 + options.evaluations + front_closures(options) + ranking_closures(options),
+  monitor.plan(1 + options.evaluations + front_closures(options) + ranking_closures(options) +
+                   anchor_closures(options),
                "searching");
   const Evaluator evaluate = evaluator(options, context);
   PlanEvaluations evaluations(evaluate, valve, evaluation_options(options, context), monitor);
@@ -209,7 +210,7 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   SearchOptions ordering = options;
   ordering.region_points = std::min(options.region_points, kBeforeTheRegion);
   monitor.plan(evaluations.closures() + ranking_closures(ordering, finalists) +
-                   options.region_points - ordering.region_points,
+                   anchor_closures(options) + options.region_points - ordering.region_points,
                "ranking");
   rank_finalists(evaluations, finalists, ordering, options.region_points, result);
   result.pareto_front = pareto_front(evaluations, scored, kChosenBy);
@@ -233,7 +234,7 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
   SearchOptions all = options;
   all.plans = static_cast<int>(plans.size());
   SearchMonitor monitor(options.seconds, context.cancelled, context.progress, context.now);
-  monitor.plan(1 + ranking_closures(all), "ranking");
+  monitor.plan(1 + ranking_closures(all) + anchor_closures(all), "ranking");
   const Evaluator evaluate = evaluator(options, context);
   PlanEvaluations evaluations(evaluate, valve, evaluation_options(options, context), monitor);
   std::vector<PlanRecord*> records;
@@ -242,7 +243,7 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
     if (std::find(records.begin(), records.end(), &record) == records.end())
       records.push_back(&record);
   }
-  monitor.plan(1 + ranking_closures(all, records), "ranking");
+  monitor.plan(1 + ranking_closures(all, records) + anchor_closures(all), "ranking");
   SearchResult result;
   tell_before(evaluations, result);
   rank_finalists(evaluations, records, all, all.region_points, result);

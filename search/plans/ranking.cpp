@@ -258,14 +258,12 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 
 }  // namespace
 
-constexpr int kBothSides = 2;
-
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
   const int finalists = (kFinalists + 1) * options.plans;
   int most = finalists * before + options.plans * (options.region_points - before);
   if (options.evidence)
-    most += kBothSides * kChosenBy + finalists * kDisease.count +
+    most += finalists * kDisease.count +
             options.plans * (kRemodelling.count + kAnterolateralAlone.count +
                              kPosteromedialAlone.count + kIndependent.count);
   return most;
@@ -275,17 +273,15 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
   const int before = std::min(kBeforeTheRegion, options.region_points);
   const int staying = std::min(options.plans, static_cast<int>(finalists.size()));
   int most = staying * (options.region_points - before);
-  int sutures = 0;  // of the first plan, at most: compare_anchors()
   std::vector<int> evidence;
   for (PlanRecord* plan : finalists) {
-    sutures = std::max(sutures, plan->muscles);
     most += std::max(0, before - common_nodes({plan}));
     if (options.evidence) most += disease_closures_left(*plan);
     evidence.push_back(evidence_closures(plan->plan) - kDisease.count);
   }
   if (!options.evidence) return most;
   std::sort(evidence.begin(), evidence.end(), std::greater<>());
-  return std::accumulate(evidence.begin(), evidence.begin() + staying, most + sutures * kChosenBy);
+  return std::accumulate(evidence.begin(), evidence.begin() + staying, most);
 }
 
 int evidence_closures(const RepairPlan& plan) {
@@ -332,6 +328,11 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes) {
   close_up_to(evaluations, {&plan}, nodes);
+}
+
+int anchor_closures(const SearchOptions& options) {
+  constexpr int kBothSides = 2;
+  return options.evidence ? kBothSides * std::min(kChosenBy, options.region_points) : 0;
 }
 
 std::vector<OtherAnchor> compare_anchors(PlanEvaluations& evaluations, const PlanRecord& plan,

@@ -37,6 +37,9 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
 /// Closes a plan at so many nodes: its map.
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes);
 
+/// That compare_anchors() takes, at most.
+int anchor_closures(const SearchOptions& options);
+
 /// Of each of a plan's papillary sutures the saddle peak in place of its trigone, or the trigone in place of any other anchor, moved as far: over kChosenBy
 /// nodes, at most options.region_points. None if it was stopped, or is not possible.
 std::vector<OtherAnchor> compare_anchors(PlanEvaluations& evaluations, const PlanRecord& plan,
