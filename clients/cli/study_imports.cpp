@@ -22,10 +22,10 @@
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/file_roles.h"
 #include "io/json/parse_json.h"
+#include "io/json/subject.h"
 #include "io/json/valve_json.h"
 #include "io/picture/csv_lines.h"
 #include "io/picture/import_picture.h"
-#include "io/json/subject.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {

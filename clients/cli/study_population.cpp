@@ -17,13 +17,13 @@
 #include "io/command_line/progress_bar.h"
 #include "io/json/population_json.h"
 #include "io/json/population_study_json.h"
+#include "io/json/subject.h"
 #include "io/picture/population_page.h"
 #include "io/picture/population_study_csv.h"
 #include "io/picture/population_study_page.h"
 #include "io/picture/text.h"
 #include "io/picture/tree_picture.h"
 #include "io/store/record_file.h"
-#include "io/json/subject.h"
 #include "search/population/population_study.h"
 
 namespace coapt {

@@ -8,8 +8,8 @@
 #include "farm/work/closure_options_json.h"
 #include "farm/work/work_parts.h"
 #include "io/json/parse_json.h"
-#include "io/json/valve_json.h"
 #include "io/json/subject.h"
+#include "io/json/valve_json.h"
 
 namespace coapt {
 namespace {

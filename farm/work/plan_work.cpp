@@ -8,10 +8,10 @@
 #include "io/json/parse_json.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/subject.h"
 #include "io/json/valve_json.h"
 #include "io/picture/report_material.h"
 #include "io/picture/search_csv.h"
-#include "io/json/subject.h"
 #include "search/plans/plan_search.h"
 
 namespace coapt {

@@ -5,8 +5,8 @@
 #include "farm/work/orifice_work.h"
 #include "farm/work/plan_work.h"
 #include "farm/work/population_work.h"
-#include "io/store/sha256.h"
 #include "io/json/subject.h"
+#include "io/store/sha256.h"
 
 namespace coapt {
 namespace {

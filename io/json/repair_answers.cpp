@@ -85,8 +85,8 @@ Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,
 
 Json scene_answer(const RepairRequest& asked, const ClosedValve& closed, int frames,
                   double seconds) {
-  Json scene = scene_to_json(
-      {asked.repaired, closed.closure, closed.measure.leak, asked.plan, frames});
+  Json scene =
+      scene_to_json({asked.repaired, closed.closure, closed.measure.leak, asked.plan, frames});
   scene["closure"] = closure_answer(asked, closed.closure, closed.measure, seconds);
   return scene;
 }

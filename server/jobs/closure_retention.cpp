@@ -6,9 +6,9 @@
 
 #include "io/json/parse_json.h"
 #include "io/json/search_options_json.h"
+#include "io/json/subject.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
-#include "io/json/subject.h"
 #include "search/studies/orifice_table.h"
 #include "server/jobs/closure_keeping.h"
 

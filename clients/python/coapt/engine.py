@@ -15,10 +15,7 @@ from .comparison import Comparison, ShapeSource, local_closure, native_shape
 from .errors import BadDocument
 from .files import GEOMETRY, Path, read_json
 from .fits import FitResult, Known
-from .jobs import Job
 from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
-from .meshes import Picture
-from .openings import Opening
 from .service import Service
 from .sources import PlanSource, Valve, ValveHere, of_this_valve, valve_document
 from .spaces import Objective, Space, space_of

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "farm/work/closure_options_json.h"
-#include "io/json/valve_json.h"
 #include "io/json/subject.h"
+#include "io/json/valve_json.h"
 #include "tests/scenes/small_preset.h"
 #include "tests/scenes/small_valve.h"
 

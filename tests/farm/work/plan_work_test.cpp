@@ -5,8 +5,8 @@
 #include "io/json/json.h"
 #include "io/json/plan_document.h"
 #include "io/json/plans_json.h"
-#include "io/picture/report_material.h"
 #include "io/json/subject.h"
+#include "io/picture/report_material.h"
 #include "search/plans/plan_search.h"
 #include "tests/scenes/small_preset.h"
 

@@ -1,9 +1,9 @@
 #include "server/jobs/closure_retention.h"
 
 #include "io/json/search_options_json.h"
+#include "io/json/subject.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
-#include "io/json/subject.h"
 #include "tests/io/store/plan_scene.h"
 #include "tests/server/endpoints/service_scene.h"
 
