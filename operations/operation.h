@@ -38,7 +38,8 @@ struct OperationTask {
 /// Who carries requests for an operation.
 namespace door {
 inline constexpr unsigned kCommandLine = 1, kService = 2, kPython = 4, kBrowser = 8, kFarm = 16;
-}
+inline constexpr unsigned kEverywhere = kCommandLine | kService | kPython | kBrowser;
+}  // namespace door
 
 struct Operation {
   const char* name;     ///< "close"
@@ -56,6 +57,8 @@ std::vector<std::string> door_names(unsigned doors);
 
 /// Those on one valve that need no files and no studies: every door has them, the browser's engine, too.
 std::span<const Operation> valve_operations();
+/// Those that search: in the larger of the two modules for browsers.
+std::span<const Operation> plan_operations();
 /// All of them, those of valve_operations() first.
 std::vector<Operation> operations();
 

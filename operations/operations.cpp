@@ -80,6 +80,8 @@ constexpr Operation kOperations[] = {
 std::vector<Operation> operations() {
   const std::span<const Operation> on_a_valve = valve_operations();
   std::vector<Operation> all(on_a_valve.begin(), on_a_valve.end());
+  const std::span<const Operation> on_plans = plan_operations();
+  all.insert(all.end(), on_plans.begin(), on_plans.end());
   all.insert(all.end(), std::begin(kOperations), std::end(kOperations));
   return all;
 }

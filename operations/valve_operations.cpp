@@ -9,7 +9,6 @@ namespace {
 
 using namespace door;
 
-constexpr unsigned kEverywhere = kCommandLine | kService | kPython | kBrowser;
 constexpr unsigned kTrainer = kCommandLine | kBrowser;
 
 constexpr std::array kOperations = {
@@ -25,11 +24,6 @@ constexpr std::array kOperations = {
               "Keeps with a valve what images show of it.", kEverywhere, read_observe},
     Operation{"check", "valve check", "/v1/valves:validate",
               "Lists every problem of a valve document.", kEverywhere, read_check},
-    Operation{"evaluate", "evaluate", "/v1/evaluations", "Scores and ranks plans of one's own.",
-              kEverywhere, read_evaluate},
-    // A service searches as a job, whose closures outlive it.
-    Operation{"plan", "plan", "/v1/plans", "Searches for repair plans and ranks them.",
-              kEverywhere | kFarm, read_plan, true},
     Operation{"training_case", "", "/v1/training/cases",
               "Makes a case of valve analysis from a seed.", kBrowser, read_training_case},
     Operation{"training_exam", "train exam", "/v1/training/exams", "Draws the exam of a schedule.",

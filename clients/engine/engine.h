@@ -1,10 +1,12 @@
 // coapt's engine without a service: what it answers to requests on one valve, for the page in a browser (WebAssembly).
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "core/valve/types.h"
+#include "operations/operation.h"
 
 namespace coapt {
 
@@ -21,6 +23,10 @@ struct EngineAnswer {
 /// What the service does not have, the trainer (docs/training.md): POST /v1/training/cases {"valve", "exam": "A" or "B", "seed"}
 /// answers coapt.training_case/1 with its shapes; /v1/training/exams {"schedule", "seed", "first_case"} coapt.training_exam/1;
 /// /v1/training/scores {"trials_csv"} coapt.training_score/1.
+/// With further_operations(), if that is set, to the requests of those, too.
 EngineAnswer answer(std::string_view path, std::string_view body);
+
+/// Null but where a program sets it before main(): plan_operations(), which make the module half as large again.
+extern std::span<const Operation> (*further_operations)();
 
 }  // namespace coapt
