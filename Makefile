@@ -3,7 +3,7 @@ BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ_LIMIT := -runs=100000
 FUZZ = $(FUZZ_LIMIT) -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
@@ -17,7 +17,7 @@ WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts examples/training words -type f)
 STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -type f)
 ENGINE := build/wasm/bin/coapt-engine.wasm
-ENGINE_SOURCES := $(shell find core io search clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
+ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
 
 .PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
 

@@ -23,7 +23,7 @@ from affected import ROOT, affected_rooms, changed_files, usual_base
 
 # What builds every program: a change of these may break all.
 BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/", "words/")
-PRODUCT = ("core", "search", "io", "farm", "server", "clients")
+PRODUCT = ("core", "search", "io", "operations", "farm", "server", "clients")
 LAST_LINES = 60  # of what failed
 NEEDED = {"packages", "release"}  # by all that comes later
 

@@ -34,7 +34,7 @@ PURE = ("core", "lab/comparators")
 IMPURE = (
     r"thread|mutex|atomic|future|condition_variable|chrono|ctime|time[.]h|random|filesystem|fstream|iostream|omp[.]h"
 )
-ROOMS = ("core", "search", "io", "farm", "server", "clients", "lab")
+ROOMS = ("core", "search", "io", "operations", "farm", "server", "clients", "lab")
 
 
 def within(file, folders):
