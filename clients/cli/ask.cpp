@@ -34,6 +34,15 @@ AskedRequest named_valve(const std::string& argument, std::shared_ptr<const Valv
 
 }  // namespace
 
+void on_run_by(Command command, const std::string& name, const ServerOption& option,
+               const std::vector<std::string>& only_here, int& status,
+               std::function<int(const std::optional<Service>&)> run) {
+  command.on_run([=, &option, &status] {
+    const auto service = service_of(command, option, only_here);
+    status = service ? run(*service) : report_errors(name, service.errors());
+  });
+}
+
 AskedRequest asked_repair(const std::string& valve, const PlanOption& plan,
                           const std::optional<Service>& service) {
   AskedRequest asked;

@@ -1,15 +1,23 @@
 // An operation that a command asks for: run here, or by the service of --server. The same request, answered with the same document.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "clients/cli/plan_option.h"
 #include "clients/cli/server_option.h"
 #include "operations/operation.h"
 
 namespace coapt {
+
+/// When the command `name` runs: `run` with the service of its --server; or what is wrong with that option. @param option must live as long as
+/// `run`. @param only_here as of service_of()
+void on_run_by(Command command, const std::string& name, const ServerOption& option,
+               const std::vector<std::string>& only_here, int& status,
+               std::function<int(const std::optional<Service>&)> run);
 
 /// A request, and what its parts came from, for report_refusal().
 struct AskedRequest {

@@ -100,13 +100,13 @@ struct ClosedHere {
   std::string diastole;  ///< a line for the picture
 };
 
-Expected<std::string> picture_of(const CloseArguments& arguments,
-                                 const std::optional<Service>& service, const ClosedHere& made) {
+Expected<std::string> picture_of(AskedRequest& asked, const std::optional<Service>& service,
+                                 const ClosedHere& made) {
   if (!service) return closure_picture_png(*made.closed, made.diastole);
-  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
-  if (is_given(arguments.material)) asked.request["material"] = material_json(arguments.material);
-  if (arguments.open) asked.request["open"] = true;
-  const Expected<OperationAnswer> picture = ask(service, "picture", asked.request, asked.here);
+  Json request = Json::object();
+  for (const char* name : {"valve", "plan", "material", "open"})
+    if (asked.request.contains(name)) request[name] = asked.request[name];
+  const Expected<OperationAnswer> picture = ask(service, "picture", request, asked.here);
   if (!picture) return picture.errors();
   return std::get<AnswerFile>(*picture).bytes;
 }
@@ -131,7 +131,7 @@ int run(const CloseArguments& arguments, const std::optional<Service>& service) 
   if (!arguments.closed.empty())
     if (const int failed = write_closed(arguments, *made.closed)) return failed;
   if (!arguments.picture.empty()) {
-    const Expected<std::string> picture = picture_of(arguments, service, made);
+    const Expected<std::string> picture = picture_of(asked, service, made);
     if (!picture) return report_refusal("close", picture.errors(), asked.sources);
     if (const int failed = write_output(arguments.picture, *picture)) return failed;
   }
@@ -186,10 +186,8 @@ void add_close(Command parent, int& status) {
       "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--closed", "--draws"});
-    status = service ? run(*arguments, *service) : report_errors("close", service.errors());
-  });
+  on_run_by(command, "close", arguments->server, {"--closed", "--draws"}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

@@ -79,10 +79,8 @@ void add_diagnose(Command parent, int& status) {
       "  coapt diagnose human-p2-prolapse\n"
       "  coapt diagnose valve.json --json\n"
       "  coapt diagnose valve.json --plan examples/plans/ring.json    # what a repair leaves");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {});
-    status = service ? run(*arguments, *service) : report_errors("diagnose", service.errors());
-  });
+  on_run_by(command, "diagnose", arguments->server, {}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

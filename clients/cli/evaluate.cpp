@@ -212,11 +212,11 @@ void add_evaluate(Command parent, int& status) {
       "report.html\n"
       "  coapt plan valve.json --json > ranked.json; coapt evaluate valve.json ranked.json\n"
       "  coapt evaluate valve.json ring.json --region-points 65 --server http://127.0.0.1:8080");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--store", "--threads"});
-    arguments->draws_given = command.has("--model-draws");
-    status = service ? run(*arguments, *service) : report_errors("evaluate", service.errors());
-  });
+  on_run_by(command, "evaluate", arguments->server, {"--store", "--threads"}, status,
+            [arguments, command](const auto& service) {
+              arguments->draws_given = command.has("--model-draws");
+              return run(*arguments, service);
+            });
 }
 
 }  // namespace coapt

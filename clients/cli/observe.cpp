@@ -75,10 +75,8 @@ void add_observe(Command parent, int& status) {
       "Examples:\n"
       "  coapt observe valve.json --leak 30 --leak-sd 8 --source \"3D planimetry\" -o seen.json\n"
       "  coapt observe seen.json --widest-gap 3 --widest-gap-sd 0.5 -o seen.json");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {});
-    status = service ? run(*arguments, *service) : report_errors("observe", service.errors());
-  });
+  on_run_by(command, "observe", arguments->server, {}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

@@ -106,10 +106,8 @@ void add_open(Command parent, int& status) {
       "Examples:\n"
       "  coapt open human-normal --render open.png\n"
       "  coapt open human-functional-mr --plan examples/plans/ring.json --json");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--render", "--opened"});
-    status = service ? run(*arguments, *service) : report_errors("open", service.errors());
-  });
+  on_run_by(command, "open", arguments->server, {"--render", "--opened"}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

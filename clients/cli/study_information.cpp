@@ -97,11 +97,8 @@ void add_study_information(Command parent, int& status) {
       "observed already\n(coapt observe) is counted. Examples:\n"
       "  coapt study information human-functional-mr\n"
       "  coapt study information valve.json --plan ring.json --json");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--threads"});
-    status =
-        service ? run(*arguments, *service) : report_errors("study information", service.errors());
-  });
+  on_run_by(command, "study information", arguments->server, {"--threads"}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

@@ -104,11 +104,8 @@ void add_study_physiology(Command parent, int& status) {
       "Examples:\n"
       "  coapt study physiology human-normal\n"
       "  coapt study physiology valve.json --kind functional --json");
-  command.on_run([arguments, command, &status] {
-    const auto service = service_of(command, arguments->server, {"--threads"});
-    status =
-        service ? run(*arguments, *service) : report_errors("study physiology", service.errors());
-  });
+  on_run_by(command, "study physiology", arguments->server, {"--threads"}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

@@ -92,6 +92,8 @@ class SameOutput(ThroughService):
                 (OK, OK),
             )
             self.assertEqual(there.read_bytes(), here.read_bytes())
+        piped = self.remote("close", "-", "--render", there, stdin=small_valve().read_text())
+        self.assertEqual((piped.returncode, piped.stderr), (OK, ""))
 
     def test_evaluations_are_the_same(self):
         valve = small_valve()
