@@ -1,13 +1,11 @@
 // Closes a valve, repaired if there is a plan, and measures what leaks: on its own mesh, on finer and finer ones until the leak
 // settles, or as finely as an error needs. Answers coapt.closure/2.
-#include <array>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "core/closed/accurate_closure.h"
 #include "core/closed/mesh_convergence.h"
-#include "core/repair/apply_plan.h"
 #include "core/valve/leaflets.h"
 #include "io/json/opening_json.h"
 #include "io/json/result_json.h"

@@ -1,5 +1,6 @@
 #include "operations/context.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/valve/number_text.h"
@@ -10,7 +11,14 @@ namespace {
 // Who has closed a half of the connection may still wait for an answer, but not for long.
 constexpr double kPatience_s = 1.0;
 
+constexpr double kUsualTriangles = 650.0;
+
 }  // namespace
+
+std::ptrdiff_t most_closures(const Valve& valve, const OperationLimits& limits) {
+  const double size = static_cast<double>(valve.faces.rows()) / kUsualTriangles;
+  return static_cast<std::ptrdiff_t>(limits.closures / std::max(1.0, size));
+}
 
 Errors check_size(const Valve& valve, const OperationLimits& limits) {
   Errors errors;

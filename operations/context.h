@@ -28,6 +28,9 @@ struct OperationLimits {
   int threads = 0;  ///< 0: all cores. Does not change any answer
 };
 
+/// Closures of this valve, by OperationLimits::closures.
+std::ptrdiff_t most_closures(const Valve& valve, const OperationLimits& limits);
+
 /// Errors: a valve with more vertices or chordae; paths point into the valve.
 Errors check_size(const Valve& valve, const OperationLimits& limits);
 

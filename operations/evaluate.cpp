@@ -23,13 +23,6 @@ std::vector<RepairPlan> read_plans(const JsonPlace& place) {
   });
 }
 
-constexpr double kUsualTriangles = 650.0;
-
-/// How much a closure costs against one of a valve of the usual size, roughly.
-double size_of(const Valve& valve) {
-  return static_cast<double>(valve.faces.rows()) / kUsualTriangles;
-}
-
 /// Ranked plans in the order asked; a plan that was asked for twice twice.
 Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) {
   const Json json = to_json(result);
@@ -84,8 +77,7 @@ Errors read_asked(const Json& request, const Context& context, EvaluateRequest& 
   asked.closures = std::ssize(asked.plans) * options.region_points + drawn;
   if (options.evidence)
     for (const RepairPlan& plan : asked.plans) asked.closures += evidence_closures(plan);
-  const auto most =
-      static_cast<std::ptrdiff_t>(context.limits.closures / std::max(1.0, size_of(asked.valve)));
+  const std::ptrdiff_t most = most_closures(asked.valve, context.limits);
   if (asked.closures > most)
     problems.add(ErrorCode::OutOfRange, "/plans",
                  "has " + std::to_string(asked.plans.size()) + " plans of " +

@@ -48,11 +48,12 @@ Expected<OperationTask> read_information(const Json& request, const Context& con
     return errors;
   const bool twice = !asked->repair.plan.steps.empty();
   const int closures = asked->study.draws * (twice ? 2 : 1);
-  if (closures > context.limits.closures)
+  const std::ptrdiff_t most = most_closures(asked->repair.repaired, context.limits);
+  if (closures > most)
     return Error{ErrorCode::OutOfRange, "/draws",
                  "is " + std::to_string(asked->study.draws) + ", together " +
                      std::to_string(closures) + " closures; must be at most " +
-                     std::to_string(context.limits.closures / (twice ? 2 : 1)) + " here"};
+                     std::to_string(most / (twice ? 2 : 1)) + " for a valve of this size"};
   return task_of(asked, closures, inform);
 }
 

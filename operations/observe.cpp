@@ -1,6 +1,4 @@
 // Keeps with a valve what images show of it, by which later answers are weighed. Answers the file of the valve (coapt.valve/1).
-#include <algorithm>
-
 #include "core/valve/validate.h"
 #include "io/json/valve_json.h"
 #include "operations/repair_request.h"
@@ -15,15 +13,10 @@ struct ObserveRequest {
   bool forget = false;
 };
 
-/// A figure that was given before is replaced.
 Valve observed_valve(const ObserveRequest& asked) {
   Valve valve = asked.valve;
   if (asked.forget) valve.observed.clear();
-  for (const Observation& seen : asked.observed) {
-    std::erase_if(valve.observed,
-                  [&](const Observation& before) { return before.figure == seen.figure; });
-    valve.observed.push_back(seen);
-  }
+  for (const Observation& seen : asked.observed) observe(valve.observed, seen);
   return valve;
 }
 

@@ -73,9 +73,8 @@ Json observed_json(const ObservedOptions& options) {
 void take_observed(const ObservedOptions& options, Valve& valve) {
   for (std::size_t i = 0; i < kFigures.size(); ++i) {
     if (!options.values[i]) continue;
-    const auto figure = static_cast<ObservedFigure>(i);
-    std::erase_if(valve.observed, [&](const Observation& seen) { return seen.figure == figure; });
-    valve.observed.push_back({figure, *options.values[i], *options.sds[i], options.source});
+    observe(valve.observed,
+            {static_cast<ObservedFigure>(i), *options.values[i], *options.sds[i], options.source});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace coapt {
 
@@ -39,5 +40,8 @@ struct Observation {
 
   bool operator==(const Observation&) const = default;
 };
+
+/// Adds what was seen; a figure that was given before is replaced.
+void observe(std::vector<Observation>& observed, const Observation& seen);
 
 }  // namespace coapt
