@@ -62,6 +62,26 @@ RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules&
   return plan;
 }
 
+/// Without each of its sutures, and without both.
+std::vector<RepairPlan> with_fewer_sutures(const RepairPlan& plan, const SearchRules& rules) {
+  std::vector<RepairPlan> versions;
+  RepairPlan without_all = plan;
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
+    const auto* const suture = suture_of(plan, side);
+    if (suture == nullptr || is_fixed(rules, *suture)) continue;
+    const auto is_it = [side](const RepairStep& step) {
+      const auto* const of = std::get_if<PapillaryApproximation>(&step);
+      return of != nullptr && of->side == side;
+    };
+    RepairPlan without = plan;
+    std::erase_if(without.steps, is_it);
+    std::erase_if(without_all.steps, is_it);
+    if (!without.steps.empty()) versions.push_back(std::move(without));
+  }
+  if (!without_all.steps.empty()) versions.push_back(std::move(without_all));
+  return versions;
+}
+
 /// Others than the plan, each once, and possible.
 std::vector<RepairPlan> distinct(const Valve& valve, const RepairPlan& plan,
                                  const std::vector<RepairPlan>& versions) {
@@ -101,8 +121,11 @@ RepairPlan with_anchor(const Valve& valve, RepairPlan plan, Side side, Anchor an
 std::vector<RepairPlan> simpler_plans(const Valve& valve, const RepairPlan& plan,
                                       const SearchRules& rules) {
   const RepairPlan truly = with_true_size(valve, plan, rules);
-  return distinct(valve, plan,
-                  {with_trigones(valve, plan, rules), truly, with_trigones(valve, truly, rules)});
+  std::vector<RepairPlan> versions = with_fewer_sutures(plan, rules);
+  versions.push_back(with_trigones(valve, plan, rules));
+  versions.push_back(truly);
+  versions.push_back(with_trigones(valve, truly, rules));
+  return distinct(valve, plan, versions);
 }
 
 std::vector<RepairPlan> safer_plans(const Valve& valve, const RepairPlan& plan,

@@ -6,6 +6,7 @@
 #include "core/repair/approximation.h"
 #include "core/repair/limits.h"
 #include "core/repair/ring_sizing.h"
+#include "search/plans/plan_key.h"
 #include "tests/scenes/small_preset.h"
 
 namespace coapt {
@@ -32,15 +33,28 @@ TEST(SimplerPlans, ASmallRingGetsItsTrueSize) {
   EXPECT_TRUE(simpler_plans(functional(), {{Annuloplasty{OwnRing{3}}}}, {}).empty());
 }
 
+TEST(SimplerPlans, SuturesAreLeftOutOneByOneAndTogether) {
+  RepairPlan plan{{ring(30.0), free_suture(24.0)}};
+  plan.steps.push_back(PapillaryApproximation{
+      .side = Side::Anterolateral, .anchor = Anchor::IpsilateralTrigone, .suture_length_mm = 24.0});
+  const auto simpler = simpler_plans(functional(), plan, {});
+  ASSERT_GE(simpler.size(), 3u);
+  EXPECT_EQ(plan_key(simpler[0]), plan_key({{plan.steps[0], plan.steps[1]}}));
+  EXPECT_EQ(plan_key(simpler[1]), plan_key({{plan.steps[0], plan.steps[2]}}));
+  EXPECT_EQ(plan_key(simpler[2]), plan_key({{plan.steps[0]}}));
+  const auto alone = simpler_plans(functional(), {{free_suture(24.0)}}, {});
+  for (const RepairPlan& version : alone) EXPECT_FALSE(version.steps.empty());
+}
+
 TEST(SimplerPlans, AFreePointBecomesTheTrigoneWithAsMuchMovement) {
   const RepairPlan plan{{ring(26.0), free_suture(24.0)}};
   const auto simpler = simpler_plans(functional(), plan, {});
-  ASSERT_EQ(simpler.size(), 3u) << "the trigone, the true size, both";
+  ASSERT_EQ(simpler.size(), 4u) << "without it, the trigone, the true size, both";
   const auto tip = [](const RepairPlan& made) {
     return papillary_tip_mm(*apply_plan(functional(), made), Side::Posteromedial);
   };
   const Vec3 before = papillary_tip_mm(functional(), Side::Posteromedial);
-  for (const std::size_t i : {0u, 2u}) {
+  for (const std::size_t i : {1u, 3u}) {
     const PapillaryApproximation& suture = *suture_of(simpler[i], Side::Posteromedial);
     EXPECT_EQ(suture.anchor, Anchor::IpsilateralTrigone);
     EXPECT_LE((tip(simpler[i]) - before).norm(), kUsualMovement_mm + 1e-9);
@@ -69,8 +83,12 @@ TEST(SimplerPlans, WhatRulesFixOrForbidIsLeftAsItIs) {
   const RepairPlan plan{{ring(26.0), free_suture(24.0)}};
   SearchRules rules;
   rules.fixed.steps = {ring(26.0)};
-  EXPECT_EQ(simpler_plans(functional(), plan, rules).size(), 1u);
+  EXPECT_EQ(simpler_plans(functional(), plan, rules).size(), 2u);
   rules.forbidden = {"papillary_approximation:ipsilateral_trigone"};
+  const auto simpler = simpler_plans(functional(), plan, rules);
+  ASSERT_EQ(simpler.size(), 1u);
+  EXPECT_EQ(plan_key(simpler[0]), plan_key({{ring(26.0)}}));
+  rules.fixed.steps.push_back(plan.steps[1]);
   EXPECT_TRUE(simpler_plans(functional(), plan, rules).empty());
 }
 
