@@ -134,6 +134,10 @@ DECLARE
   kept result;
   of_run run;
 BEGIN
+  -- Where the answer may be disputed, its run is locked before its task: in the order of whoever judges, doubts or bars.
+  PERFORM FROM run WHERE id = p_run
+    AND (state = 'holes' OR EXISTS (SELECT FROM task WHERE run = p_run AND first = p_first AND answers >= 2)
+         OR EXISTS (SELECT FROM result r WHERE r.run = p_run AND r.first = p_first AND r.bytes <> p_bytes)) FOR UPDATE;
   SELECT * INTO t FROM task WHERE run = p_run AND first = p_first FOR UPDATE;
   SELECT * INTO of_run FROM run WHERE id = p_run;
   IF t.run IS NULL OR of_run.id IS NULL THEN
