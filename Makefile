@@ -15,11 +15,13 @@ CTEST := --parallel 6
 
 WEB := clients/web
 WEB_SOURCES := $(shell find $(WEB)/src $(WEB)/public $(WEB)/index.html $(WEB)/vite.config.ts examples/training words -type f)
-STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs -type f)
+STATIC_SOURCES := $(WEB_SOURCES) $(shell find $(WEB)/static $(WEB)/static.mjs $(WEB)/presets.mjs -type f)
+NPM_SOURCES := $(shell find $(WEB)/npm $(WEB)/npm.mjs $(WEB)/presets.mjs $(WEB)/src/engine -type f)
 ENGINE := build/wasm/bin/coapt-engine.wasm
-ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake CMakeLists.txt CMakePresets.json -type f)
+PLANNER := build/wasm/bin/coapt-planner.wasm
+ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -123,6 +125,15 @@ web-pictures: programs web  ## the page's pictures in docs/images, and its times
 	@cmake/install_packages.sh browser
 	node $(WEB)/test/page/pictures.mjs docs/images
 	node $(WEB)/test/page/times.mjs
+
+npm: build/npm/index.js  ## the package for npm, in build/npm: the engine with its search, for browsers and Node.js
+
+build/npm/index.js: $(WEB)/node_modules $(NPM_SOURCES) $(ENGINE) | programs types
+	node $(WEB)/npm.mjs build/npm $(BIN)/coapt $(PLANNER)
+
+npm-test: npm  ## the package, packed and installed into an empty project: in Node.js and Chromium, against coapt
+	@cmake/install_packages.sh browser
+	node --test --test-reporter=spec $(WEB)/test/npm/package.test.mjs
 
 deb: wasm static  ## Debian packages of the last commit, with their source, in build/deb
 	@cmake/install_packages.sh build docs deb

@@ -63,7 +63,7 @@ def stages(units):
                     paths=BUILD + ("tests/readers", "examples/farm"),
                 ),
                 Phase("page", "web-test", rooms=("server",), paths=BUILD + page),
-                Phase("static", "static-test", rooms=("clients/engine",), paths=BUILD + page),
+                Phase("static", "static-test npm-test", rooms=("clients/engine",), paths=BUILD + page),
                 Phase("live", "live-test", rooms=("clients/live",), paths=BUILD),
                 Phase("scripts", "scripts-test", rooms=PRODUCT, paths=BUILD + scripts),
                 # They hold what documents show, and nothing of the engine that no other test holds.

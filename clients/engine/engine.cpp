@@ -12,11 +12,13 @@
 namespace coapt {
 namespace {
 
-EngineAnswer computed(const Operation& operation, std::string_view body) {
+EngineAnswer computed(const Operation& operation, std::string_view body,
+                      std::function<void(int, int)> progress) {
   const Expected<Json> request = parse_json(body);
   if (!request) return problem(400, request.errors());
   Points closed_mm;
   Context context{
+      .progress = std::move(progress),
       .closed = [&](const ClosedValve& closed) { closed_mm = closed.closure.closed_mm; }};
   const Expected<OperationTask> task = operation.read(*request, context);
   if (!task) return problem(422, task.errors());
@@ -30,12 +32,13 @@ EngineAnswer computed(const Operation& operation, std::string_view body) {
 
 std::span<const Operation> (*further_operations)() = nullptr;
 
-EngineAnswer answer(std::string_view path, std::string_view body) {
+EngineAnswer answer(std::string_view path, std::string_view body,
+                    std::function<void(int done, int planned)> progress) {
   if (const Operation* operation = operation_at(valve_operations(), path))
-    return computed(*operation, body);
+    return computed(*operation, body, std::move(progress));
   if (further_operations)
     if (const Operation* operation = operation_at(further_operations(), path))
-      return computed(*operation, body);
+      return computed(*operation, body, std::move(progress));
   if (path == "/v1/rings") return json_answer(200, rings_answer());
   if (path == "/version")
     return json_answer(200, {{"version", version()},

@@ -5,6 +5,10 @@
 
 extern "C" {
 
+/// Of whoever runs the module: so many of so many closures are done.
+[[clang::import_module("coapt"), clang::import_name("progress")]] void coapt_progress(int done,
+                                                                                      int planned);
+
 /// Room for a request's path and body, UTF-8, to be written to before coapt_answer().
 [[clang::export_name("coapt_path")]] char* coapt_path(std::uint32_t size) {
   coapt::buffers().path.resize(size);
@@ -18,7 +22,7 @@ extern "C" {
 /// Answers; returns the status.
 [[clang::export_name("coapt_answer")]] int coapt_answer() {
   auto& [path, body, given] = coapt::buffers();
-  given = coapt::answer(path, body);
+  given = coapt::answer(path, body, coapt_progress);
   return given.status;
 }
 [[clang::export_name("coapt_answer_bytes")]] const char* coapt_answer_bytes() {

@@ -1,10 +1,10 @@
 // The page without a service, after `vite build --mode static` has built its scripts: puts presets, engine, icon, manifest
 // and the script that keeps all of it for use off-line beside them. `node static.mjs FOLDER COAPT ENGINE`
-import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { writePresets } from './presets.mjs'
 
 const SOURCES = fileURLToPath(new URL('static/', import.meta.url))
 const [folder, coapt, engine] = process.argv.slice(2)
@@ -18,12 +18,7 @@ function files() {
   return paths.map((path) => path.slice(join(folder, '/').length)).sort()
 }
 
-const presets = join(folder, 'presets')
-mkdirSync(presets, { recursive: true })
-const answer = execFileSync(coapt, ['presets', '--json'], { encoding: 'utf8' })
-const names = JSON.parse(answer).presets.map(({ name }) => name)
-for (const name of names) execFileSync(coapt, ['valve', 'make', name, '-o', join(presets, `${name}.json`)])
-writeFileSync(join(presets, 'index.json'), JSON.stringify(names))
+writePresets(folder, coapt)
 copyFileSync(engine, join(folder, 'coapt-engine.wasm'))
 copyFileSync(join(SOURCES, 'manifest.webmanifest'), join(folder, 'manifest.webmanifest'))
 

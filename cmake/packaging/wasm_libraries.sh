@@ -1,5 +1,5 @@
 #!/bin/bash
-# wasm_libraries.sh FOLDER: NLopt for WebAssembly in FOLDER (include, lib), from Debian's source; nothing if it is there. The
+# wasm_libraries.sh FOLDER: NLopt for WebAssembly in FOLDER (include, lib), without what is under the LGPL, from Debian's source; nothing if it is there. The
 # source is fetched by apt, which checks its signature, into a place of its own: the machine's lists stay as they are.
 set -euo pipefail
 
@@ -27,3 +27,5 @@ cmake -S nlopt -B build -G Ninja -DCMAKE_TOOLCHAIN_FILE="$root/cmake/wasm.cmake"
   -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF -DHAVE_GETPID=0 -DHAVE_GETTID_SYSCALL=0
 cmake --build build
 cmake --install build
+# Luksan's algorithms alone are under the LGPL, and no search uses them (clients/engine/planner.cpp).
+llvm-ar-19 d "$into/lib/libnlopt.a" plis.c.obj plip.c.obj pnet.c.obj mssubs.c.obj pssubs.c.obj

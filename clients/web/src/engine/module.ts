@@ -55,13 +55,20 @@ interface Exports {
 
 const POINT_BYTES = 24
 
-export async function startEngine(module: WebAssembly.Module): Promise<Engine> {
+/// `progress`: is told of searches, while they run, how many closures of how many are done.
+export async function startEngine(
+  module: WebAssembly.Module,
+  progress: (done: number, planned: number) => void = () => {},
+): Promise<Engine> {
   let memory: WebAssembly.Memory | null = null
   const imports = wasi(
     () => memory as WebAssembly.Memory,
     (text) => console.warn(text),
   )
-  const { exports } = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: imports })
+  const { exports } = await WebAssembly.instantiate(module, {
+    wasi_snapshot_preview1: imports,
+    coapt: { progress },
+  })
   const engine = exports as unknown as Exports
   memory = engine.memory
   engine._initialize()

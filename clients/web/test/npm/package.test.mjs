@@ -1,0 +1,163 @@
+// The package for npm as its users get it: packed, installed into an empty project, in Node.js and in Chromium.
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { pathToFileURL } from 'node:url'
+import { ROOT, startBrowser } from '../page/page.mjs'
+import { startFiles } from '../static/files.mjs'
+
+const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
+const PACKAGE = join(ROOT, 'build/npm')
+const SEARCH = { evaluations: 30, region_points: 5, plans: 2, fine_levels: 0, model_draws: 0, evidence: false }
+const PATIENCE_MS = 300_000
+const RING = { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }] }
+
+const folder = mkdtempSync(join(tmpdir(), 'coapt-npm-'))
+let api, coapt, small
+before(async () => {
+  const [{ filename }] = JSON.parse(
+    execFileSync('npm', ['pack', PACKAGE, '--json', '--pack-destination', folder], { encoding: 'utf8', cwd: folder }),
+  )
+  writeFileSync(join(folder, 'package.json'), JSON.stringify({ name: 'empty', private: true, type: 'module' }))
+  execFileSync('npm', ['install', '--offline', '--no-audit', '--no-fund', join(folder, filename)], { cwd: folder })
+  api = await import(pathToFileURL(join(folder, 'node_modules/coapt/index.js')))
+  coapt = await api.load()
+  const text = execFileSync(COAPT, ['valve', 'make', 'human-functional-mr', '--triangles', '200', '-o', '-'], {
+    encoding: 'utf8',
+  })
+  small = await coapt.valve(text)
+})
+after(() => {
+  coapt.close()
+  rmSync(folder, { recursive: true, force: true })
+})
+
+/// coapt's exit code says whether a valve leaks; its words come either way.
+function native(...args) {
+  try {
+    return JSON.parse(execFileSync(COAPT, [...args, '--json'], { encoding: 'utf8', stdio: 'pipe' }))
+  } catch (leaks) {
+    return JSON.parse(leaks.stdout)
+  }
+}
+
+const planOf = ({ plans }) => plans.map(({ plan, class: kind }) => ({ plan, kind }))
+
+test('presets close as natively, several at a time', async () => {
+  assert.equal(coapt.presets.length, native('presets').presets.length)
+  const names = coapt.presets.slice(0, 4)
+  const leaks = await Promise.all(names.map(async (name) => (await (await coapt.preset(name)).close()).leak.area_mm2))
+  assert.deepEqual(
+    leaks,
+    names.map((name) => native('close', name).leak.area_mm2),
+  )
+})
+
+test('a repaired valve opens, is diagnosed and observed', async () => {
+  const valve = await coapt.preset('human-functional-mr')
+  const [bare, ringed] = await Promise.all([valve.open(), valve.open({ plan: RING })])
+  assert.ok(ringed.opening_area_mm2 < bare.opening_area_mm2)
+  assert.equal((await valve.diagnose()).type, 'IIIb')
+  const seen = await valve.observe({ leak_mm2: { value: 30, sd: 8, source: 'echo' } })
+  assert.equal(seen.document.observed.leak_mm2.value, 30)
+  assert.equal(valve.document.observed, undefined)
+})
+
+test('a search tells how far it is and finds the plans of coapt plan', { timeout: PATIENCE_MS }, async () => {
+  const file = join(folder, 'small.json')
+  writeFileSync(file, JSON.stringify(small.document))
+  const told = []
+  const found = await small.plan(SEARCH, { progress: (...so_far) => told.push(so_far) })
+  const options = ['--evaluations', '30', '--region-points', '5', '--plans', '2', '--fine-levels', '0']
+  const expected = native('plan', file, ...options, '--model-draws', '0', '--no-evidence')
+  assert.deepEqual(planOf(found), planOf(expected))
+  assert.ok(told.length > 2, `${told}`)
+  assert.ok(told.every(([done, planned]) => done <= planned))
+  const scored = await small.evaluate([RING], { region_points: 5 })
+  assert.equal(scored.plans.length, 1)
+})
+
+test('a search that is aborted ends, and others go on', { timeout: PATIENCE_MS }, async () => {
+  const stop = new AbortController()
+  const begun = Date.now()
+  const search = small.plan({ evaluations: 100_000 }, { signal: stop.signal, progress: () => stop.abort() })
+  await assert.rejects(search, { name: 'AbortError' })
+  assert.equal((await small.diagnose()).competent, false)
+  await assert.rejects(small.close({}, { signal: AbortSignal.abort() }), { name: 'AbortError' })
+  assert.ok(Date.now() > begun)
+})
+
+test('what is refused says where and why', async () => {
+  await assert.rejects(coapt.preset('no-such-valve'), RangeError)
+  await assert.rejects(coapt.valve('{'), api.CoaptError)
+  await assert.rejects(coapt.valve({}), ({ problems, status }) => status === 422 && problems.length > 3)
+  await assert.rejects(small.plan({ evaluatoins: 5 }), ({ problems }) => /evaluatoins/.test(problems[0].path))
+  await assert.rejects(api.load({ threads: 0 }), RangeError)
+})
+
+test('a program that has its answer ends', () => {
+  const script = "import { load } from 'coapt'; console.log((await load()).presets.length)"
+  const asks =
+    "import { load } from 'coapt'; const v = await (await load()).preset('human-normal'); console.log((await v.close()).status)"
+  for (const [program, said] of [
+    [script, String(coapt.presets.length)],
+    [asks, 'converged'],
+  ]) {
+    const answer = execFileSync('node', ['--input-type=module', '-e', program], { cwd: folder, timeout: 60_000 })
+    assert.equal(String(answer).trim(), said)
+  }
+})
+
+test('a program in TypeScript sees what it misspells', () => {
+  writeFileSync(
+    join(folder, 'program.ts'),
+    `import { load } from 'coapt'
+const valve = await (await load()).preset('human-normal')
+const area: number | null = (await valve.close()).leak.area_mm2
+await valve.plan({ evaluations: 5 })
+// @ts-expect-error: no such option
+await valve.plan({ evaluatoins: 5 })
+console.log(area)
+`,
+  )
+  const options = [
+    '--noEmit',
+    '--strict',
+    '--target',
+    'es2022',
+    '--module',
+    'nodenext',
+    '--moduleResolution',
+    'nodenext',
+  ]
+  execFileSync(join(ROOT, 'clients/web/node_modules/.bin/tsc'), [...options, '--lib', 'es2022,dom', 'program.ts'], {
+    cwd: folder,
+    stdio: 'inherit',
+  })
+})
+
+test('a browser searches, too', { timeout: PATIENCE_MS }, async () => {
+  const files = await startFiles(join(folder, 'node_modules/coapt'))
+  const browser = await startBrowser()
+  try {
+    const page = await browser.newPage()
+    await page.goto(`${files.url}/README.md`)
+    const found = await page.evaluate(
+      async ([text, search]) => {
+        const { load } = await import('/index.js')
+        const coapt = await load()
+        const leak = (await (await coapt.preset('barlow')).close()).leak.area_mm2
+        return { leak, plans: await (await coapt.valve(text)).plan(search) }
+      },
+      [JSON.stringify(small.document), SEARCH],
+    )
+    assert.equal(found.leak, native('close', 'barlow').leak.area_mm2)
+    assert.deepEqual(planOf(found.plans), planOf(await small.plan(SEARCH)))
+  } finally {
+    await browser.close()
+    await files.stop()
+  }
+})
