@@ -21,6 +21,7 @@ await build({
   publicDir: false,
   build: {
     outDir: folder,
+    emptyOutDir: true,
     target: 'es2022',
     minify: false,
     lib: { entry: { index: join(SOURCES, 'index.ts'), thread: join(SOURCES, 'thread.ts') }, formats: ['es'] },

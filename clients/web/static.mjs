@@ -19,7 +19,8 @@ function files() {
 }
 
 writePresets(folder, coapt)
-copyFileSync(engine, join(folder, 'coapt-engine.wasm'))
+for (const module of ['engine', 'planner'])
+  copyFileSync(engine.replace('engine.wasm', `${module}.wasm`), join(folder, `coapt-${module}.wasm`))
 copyFileSync(join(SOURCES, 'manifest.webmanifest'), join(folder, 'manifest.webmanifest'))
 
 const listed = files()

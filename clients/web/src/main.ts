@@ -27,9 +27,7 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   valve: async (workspace) => new (await import('./valve/view')).ValveView(workspace),
   repair: async (workspace) => new (await import('./repair/view')).RepairView(workspace),
   live: async (workspace) => new (await import('./live/view')).LiveView(workspace),
-  search: HAS_SERVICE
-    ? async (workspace) => new (await import('./search/view')).SearchView(workspace)
-    : async () => needsService('Search', 'A search for repair plans needs coapt-server.'),
+  search: async (workspace) => new (await import('./search/view')).SearchView(workspace),
   studies: HAS_SERVICE
     ? async (workspace) => new (await import('./studies/view')).StudiesView(workspace)
     : async () => needsService('Studies', 'Studies of a valve need coapt-server.'),

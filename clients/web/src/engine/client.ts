@@ -18,8 +18,10 @@ export function engineClient(thread: EngineThread<EngineRequest, EngineReply>): 
   const waiting: Waiting[] = []
   let running: Waiting | null = null
   let dead: Error | null = null // the thread, of an error of its own
-  thread.onmessage = ({ data }) =>
+  thread.onmessage = ({ data }) => {
+    if ('progress' in data) return // nobody looks
     end((asked) => ('failed' in data ? asked.reject(new Error(data.failed)) : asked.resolve(data)))
+  }
   thread.onerror = (event) => {
     dead = new Error(diedWords(event))
     end((asked) => asked.reject(dead))

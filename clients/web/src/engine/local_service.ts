@@ -1,11 +1,14 @@
-// Answers in place of coapt-server, for the page without one (make static): closures, scenes, openings and diagnoses from the engine,
-// presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
+// Answers in place of coapt-server, for the page without one (make static): closures, scenes, openings, diagnoses, evaluations and searches
+// from the engine, presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
 import { presetWords } from '../valve/presets'
 import type { AskEngine } from './client'
 import type { KeptValve, ValveShelf } from './kept_valves'
+import type { LocalJobs } from './local_jobs'
 
 export interface LocalParts {
   engine: AskEngine
+  scoring: AskEngine // the module that searches, too
+  jobs: LocalJobs
   file(path: string): Promise<Response> // of the page, beside index.html
   valves: ValveShelf
 }
@@ -14,10 +17,12 @@ export interface LocalParts {
 export type LocalService = (method: string, path: string, body?: unknown, signal?: AbortSignal) => Promise<Response>
 
 const COMPUTED = ['/v1/closures', '/v1/scenes', '/v1/openings', '/v1/diagnoses']
+const SCORED = '/v1/evaluations'
+const SEARCHED = '/v1/plans'
 const PRESETS = '/v1/presets'
 const VALVES = '/v1/valves'
 
-export function localService({ engine, file, valves }: LocalParts): LocalService {
+export function localService({ engine, scoring, jobs, file, valves }: LocalParts): LocalService {
   let names: Promise<string[]> | null = null // of presets
   const documents = new Map<string, string>() // of presets, by name
 
@@ -43,12 +48,12 @@ export function localService({ engine, file, valves }: LocalParts): LocalService
       case 'POST /v1/valves:validate':
         return ask(path, asText(body), signal)
     }
-    if (method === 'POST' && COMPUTED.includes(path)) return compute(path, asText(body), signal)
-    return problem(501, 'needs coapt-server')
+    if (method === 'POST' && [...COMPUTED, SCORED, SEARCHED].includes(path)) return compute(path, asText(body), signal)
+    return jobs.answer(method, path) ?? problem(501, 'needs coapt-server')
   }
 
   async function ask(path: string, body: string, signal?: AbortSignal): Promise<Response> {
-    const answered = await engine(path, body, signal)
+    const answered = await (path === SCORED ? scoring : engine)(path, body, signal)
     return new Response(answered.body, { status: answered.status, headers: { 'Content-Type': 'application/json' } })
   }
 
@@ -56,14 +61,15 @@ export function localService({ engine, file, valves }: LocalParts): LocalService
   async function compute(path: string, text: string, signal?: AbortSignal): Promise<Response> {
     const body = JSON.parse(text) as Record<string, unknown>
     const reference = body.valve
-    if (typeof reference !== 'string') return ask(path, text, signal)
+    if (typeof reference !== 'string') return path === SEARCHED ? jobs.start('', text) : ask(path, text, signal)
     const document = (await preset(reference)) ?? (await valves.find(reference))?.text
     if (document === undefined)
       return problem(422, 'is neither the id of a kept valve nor the name of a preset', '/valve')
     const fields = Object.entries(body).map(
       ([name, value]) => `${JSON.stringify(name)}:${name === 'valve' ? document : JSON.stringify(value)}`,
     )
-    return ask(path, `{${fields.join(',')}}`, signal)
+    const whole = `{${fields.join(',')}}`
+    return path === SEARCHED ? jobs.start(reference, whole) : ask(path, whole, signal)
   }
 
   async function keep(text: string, signal?: AbortSignal): Promise<Response> {

@@ -19,9 +19,12 @@ export function hasEngine(): Promise<boolean> {
   )
 }
 
-export function startThread(): Worker {
+/// The module that searches, too.
+export const PLANNER_FILE = 'coapt-planner.wasm'
+
+export function startThread(file = FILE): Worker {
   const thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  thread.postMessage(new URL(FILE, document.baseURI).href)
+  thread.postMessage(new URL(file, document.baseURI).href)
   return thread
 }
 

@@ -7,7 +7,8 @@ export interface EngineRequest {
   path: string
   body: string
 }
-export type EngineReply = EngineAnswer | { failed: string }
+/// `progress`: of a search that goes on; closures done and planned.
+export type EngineReply = EngineAnswer | { failed: string } | { progress: [done: number, planned: number] }
 
 let address = ''
 let module: Promise<WebAssembly.Module> | null = null
@@ -28,6 +29,7 @@ async function start(): Promise<Engine> {
       module = null
       throw error
     }),
+    (done, planned) => postMessage({ progress: [done, planned] } satisfies EngineReply),
   )
 }
 

@@ -40,11 +40,11 @@ export class KeptPlans {
       h(
         'p',
         { class: parts.row },
-        HAS_SERVICE && this.scoring,
+        this.scoring,
         button('Save plans', () => download('plans.json', planFile(this.workspace.kept))),
         filePicker('Plans to load', 'Load plans', { accept: '.json', use: ([file]) => void this.load(file) }),
       ),
-      ...(HAS_SERVICE ? [] : [h('p', { class: parts.hint }, 'Scores and reports need coapt-server.')]),
+      ...(HAS_SERVICE ? [] : [h('p', { class: parts.hint }, 'Reports need coapt-server.')]),
     )
   }
 
@@ -58,11 +58,7 @@ export class KeptPlans {
     this.tellBest()
     this.list.replaceChildren(
       kept.length === 0
-        ? h(
-            'p',
-            { class: parts.hint },
-            `Keep a repair to find it here again${HAS_SERVICE ? ', compare it and score it' : ''}.`,
-          )
+        ? h('p', { class: parts.hint }, 'Keep a repair to find it here again, compare it and score it.')
         : h('ol', { class: repairStyle.kept }, ...kept.map((plan) => this.item(plan))),
     )
   }
@@ -104,7 +100,7 @@ export class KeptPlans {
       h('p', { class: parts.hint }, kept.plan.steps.map(describe).join('; ')),
       leak
         ? h('p', {}, `Leak ${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}, below 5 mm² in ${percent(leak.below_5)}`)
-        : HAS_SERVICE && h('p', { class: parts.hint }, 'Not scored.'),
+        : h('p', { class: parts.hint }, 'Not scored.'),
       warnings.length > 0 && h('ul', { class: parts.warn }, ...warnings.map((warning) => h('li', {}, warning))),
       h(
         'p',

@@ -3,6 +3,7 @@ import type { Job, RankedPlan } from '../api/types'
 import { button, h, type Child } from '../dom'
 import { typeset, withError, withUnit } from '../format'
 import { term } from '../help/term'
+import { HAS_SERVICE } from '../mode'
 import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
 import { leakWords } from '../valve/headline'
@@ -99,9 +100,13 @@ export function planCard(plan: RankedPlan, context: CardContext): HTMLElement {
       h(
         'div',
         { class: parts.row, role: 'group', 'aria-label': `Downloads of plan ${plan.rank}` },
-        reportLink('Report', `${path}/report`, `${name}.html`, told),
-        downloadButton('Picture, before and after', `${path}/picture`, `${name}.png`, told),
-        meshDownload(path, name, told),
+        ...(HAS_SERVICE
+          ? [
+              reportLink('Report', `${path}/report`, `${name}.html`, told),
+              downloadButton('Picture, before and after', `${path}/picture`, `${name}.png`, told),
+              meshDownload(path, name, told),
+            ]
+          : []),
         button('Plan (JSON)', () => saveJson(`${name}.json`, plan.plan)),
         downloadButton('All figures (JSON)', path, `${name}-figures.json`, told),
       ),

@@ -2,6 +2,7 @@
 // a card for each.
 import type { RankedPlan, SearchResult } from '../api/types'
 import { h } from '../dom'
+import { HAS_SERVICE } from '../mode'
 import { cardId, planCard, type CardContext } from './card'
 import { comparison } from './compare'
 import { learning } from './learning'
@@ -67,7 +68,7 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
       plans.length > 1 && h('p', { class: parts.hint }, 'Tick two plans to compare them.'),
     ),
     compared,
-    ...(canBeCompared(plans)
+    ...(HAS_SERVICE && canBeCompared(plans)
       ? [
           learning(plans, own, context, (taken) => {
             learned = taken

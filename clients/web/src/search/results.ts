@@ -3,6 +3,7 @@ import type { SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
 import { seconds, withUnit } from '../format'
+import { HAS_SERVICE } from '../mode'
 import { grouped } from '../jobs/progress_panel'
 import type { CardContext } from './card'
 import { costChart, endedSeries } from './cost_chart'
@@ -86,7 +87,7 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     h(
       'div',
       { class: parts.row, role: 'group', 'aria-label': 'Downloads of the search' },
-      reportLink('Report of the search', `${path}/report`, 'coapt-search.html', told),
+      HAS_SERVICE && reportLink('Report of the search', `${path}/report`, 'coapt-search.html', told),
       context.job.links.evaluations &&
         downloadButton('Every plan tried (CSV)', context.job.links.evaluations, 'coapt-plans-tried.csv', told),
       downloadButton('Result (JSON)', `${path}/result`, 'coapt-search.json', told),

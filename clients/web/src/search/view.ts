@@ -2,6 +2,7 @@
 import type { Job } from '../api/types'
 import { h } from '../dom'
 import { withUnit } from '../format'
+import { HAS_SERVICE } from '../mode'
 import { JobView, type JobKind } from '../jobs/job_view'
 import { describe } from '../repair/steps'
 import type { View } from '../view'
@@ -82,8 +83,11 @@ function empty(valve: HTMLElement): HTMLElement {
       h(
         'p',
         {},
-        'With the defaults a search takes about half a minute on two cores. It continues while you work elsewhere, even ' +
-          'when this page is closed.',
+        HAS_SERVICE
+          ? 'With the defaults a search takes about half a minute on two cores. It continues while you work elsewhere, even ' +
+              'when this page is closed.'
+          : 'The search runs in this browser and takes some minutes with the defaults. It continues while you work elsewhere ' +
+              'in this page, and ends when the page is closed.',
       ),
       h('div', { class: searchStyle.asked }, valve),
     ),

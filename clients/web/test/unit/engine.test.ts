@@ -1,6 +1,8 @@
-import { expect, test } from 'vitest'
+import { expect, test, vi } from 'vitest'
+import { EventReader } from '../../src/api/events'
 import { engineClient } from '../../src/engine/client'
 import type { KeptValve, ValveShelf } from '../../src/engine/kept_valves'
+import { localJobs } from '../../src/engine/local_jobs'
 import { localService } from '../../src/engine/local_service'
 import type { EngineThread } from '../../src/engine/thread'
 import { wasi } from '../../src/engine/wasi'
@@ -24,8 +26,18 @@ function shelf(): ValveShelf {
 /// A service whose engine answers with what it is asked, and finds each valve valid that has a name.
 function service() {
   const asked: EngineRequest[] = []
+  const scored: EngineRequest[] = []
+  const threads: StartedThread[] = []
   const files: Record<string, string> = { 'presets/index.json': '["barlow"]', 'presets/barlow.json': VALVE }
   const ask = localService({
+    scoring: (path, body) => {
+      scored.push({ path, body })
+      return Promise.resolve({ status: 200, body: bytes('{}') })
+    },
+    jobs: localJobs(() => {
+      threads.push(startedThread())
+      return threads.at(-1) as StartedThread
+    }),
     engine: (path, body) => {
       asked.push({ path, body })
       const problems = body.includes('name') ? [] : [{ code: 'missing', path: '/name', message: 'is missing' }]
@@ -35,7 +47,23 @@ function service() {
     file: (path) => Promise.resolve(new Response(files[path] ?? '', { status: path in files ? 200 : 404 })),
     valves: shelf(),
   })
-  return { ask, asked, files }
+  return { ask, asked, scored, threads, files }
+}
+
+type StartedThread = ReturnType<typeof startedThread>
+function startedThread() {
+  const thread = {
+    sent: [] as EngineRequest[],
+    ended: false,
+    onmessage: null as ((event: MessageEvent<EngineReply>) => void) | null,
+    onerror: null as ((event: ErrorEvent) => void) | null,
+    postMessage: (message: EngineRequest) => void thread.sent.push(message),
+    terminate: () => {
+      thread.ended = true
+    },
+    say: (reply: EngineReply) => thread.onmessage?.({ data: reply } as MessageEvent<EngineReply>),
+  }
+  return thread
 }
 
 test('what a module writes is printed, and counted', () => {
@@ -144,8 +172,6 @@ test('all else needs coapt-server', async () => {
   const { ask } = service()
   for (const [method, path] of [
     ['POST', '/v1/jobs'],
-    ['GET', '/v1/jobs?page_size=100'],
-    ['POST', '/v1/evaluations'],
     ['POST', '/v1/reports'],
     ['PUT', '/v1/valves'],
   ] as const) {
@@ -162,4 +188,84 @@ test('presets that cannot be loaded are asked for again', async () => {
   expect((await ask('GET', '/v1/presets')).status).toBe(500)
   files['presets/index.json'] = list
   expect((await ask('GET', '/v1/presets')).status).toBe(200)
+})
+
+test('plans are scored by the module that searches', async () => {
+  const { ask, asked, scored } = service()
+  expect((await ask('POST', '/v1/evaluations', { valve: 'barlow', plans: [] })).status).toBe(200)
+  expect(scored).toEqual([{ path: '/v1/evaluations', body: `{"valve":${VALVE},"plans":[]}` }])
+  expect(asked).toEqual([])
+})
+
+test('a search is a job that tells its progress and keeps its result', async () => {
+  const { ask, threads } = service()
+  const started = ask('POST', '/v1/plans', { valve: 'barlow', search: { evaluations: 9 } })
+  await Promise.resolve()
+  await vi.waitFor(() => expect(threads[0]?.sent.length).toBe(1))
+  const [thread] = threads as [StartedThread]
+  expect(thread.sent[0]).toEqual({ path: '/v1/plans', body: `{"valve":${VALVE},"search":{"evaluations":9}}` })
+  thread.say({ progress: [1, 9] })
+  const response = await started
+  expect(response.status).toBe(202)
+  const { id, valve, links } = await response.json()
+  expect(valve).toBe('barlow')
+  expect((await ask('POST', '/v1/plans', { valve: 'barlow' })).status).toBe(409)
+  expect((await ask('GET', `${links.self}/result`)).status).toBe(501)
+
+  const first = await ask('GET', `${links.events}?last_event_id=0`)
+  const events = (await ask('GET', `${links.events}?last_event_id=0`)).text()
+  const same = first.text() // two may follow it
+  thread.say({ progress: [5, 9] })
+  thread.say({ status: 200, body: bytes('{"plans":[{"rank":1}]}') })
+  expect(thread.ended).toBe(true)
+  expect(await same).toBe(await events)
+  const told = new EventReader().read(await events)
+  expect(told.map(({ id, event }) => [id, event])).toEqual([
+    ['1', 'progress'],
+    ['2', 'progress'],
+    ['3', 'state'],
+  ])
+  expect(JSON.parse(told[1]?.data ?? '')).toMatchObject({ closures: 5, closures_planned: 9 })
+  const late = await ask('GET', `${links.events}?last_event_id=2`)
+  expect(new EventReader().read(await late.text()).length).toBe(1)
+  expect((await ask('GET', `${links.events}?last_event_id=3`)).status).toBe(204)
+
+  const job = await (await ask('GET', links.self)).json()
+  expect(job).toMatchObject({ id, state: 'SUCCEEDED', links: { result: `${links.self}/result` } })
+  expect(await (await ask('GET', job.links.result)).json()).toEqual({ plans: [{ rank: 1 }] })
+  expect(await (await ask('GET', `${links.self}/plans/1`)).json()).toEqual({ rank: 1 })
+  expect((await ask('GET', `${links.self}/plans/2`)).status).toBe(404)
+  expect(((await (await ask('GET', '/v1/jobs?page_size=100')).json()).jobs as unknown[]).length).toBe(1)
+  expect((await ask('DELETE', links.self)).status).toBe(204)
+  expect((await ask('GET', links.self)).status).toBe(404)
+})
+
+test('a search that is refused is no job; one that is cancelled or fails ends', async () => {
+  const { ask, threads } = service()
+  const begun = async () => {
+    const count = threads.length
+    const answer = ask('POST', '/v1/plans', { valve: 'barlow' })
+    await vi.waitFor(() => expect(threads[count]?.sent.length).toBe(1))
+    return { answer, thread: threads[count] as StartedThread }
+  }
+  const refused = await begun()
+  refused.thread.say({ status: 422, body: bytes('{"detail":"is no option"}') })
+  expect((await refused.answer).status).toBe(422)
+  expect(refused.thread.ended).toBe(true)
+
+  const cancelled = await begun()
+  cancelled.thread.say({ progress: [1, 9] })
+  const { links } = await (await cancelled.answer).json()
+  const events = (await ask('GET', links.events)).text()
+  expect(await (await ask('POST', links.cancel)).json()).toMatchObject({ state: 'CANCELLED', cancel_requested: true })
+  expect(cancelled.thread.ended).toBe(true)
+  expect(await events).toContain('"state":"CANCELLED"')
+
+  const failed = await begun()
+  failed.thread.say({ failed: 'out of memory' })
+  const job = await (await failed.answer).json()
+  expect(await (await ask('GET', job.links.self)).json()).toMatchObject({
+    state: 'FAILED',
+    problems: [{ message: 'out of memory' }],
+  })
 })
