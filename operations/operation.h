@@ -55,13 +55,6 @@ struct Operation {
 /// "command_line", "service", ...
 std::vector<std::string> door_names(unsigned doors);
 
-/// Those on one valve that need no files and no studies: every door has them, the browser's engine, too.
-std::span<const Operation> valve_operations();
-/// Those that search: in the larger of the two modules for browsers.
-std::span<const Operation> plan_operations();
-/// All of them, those of valve_operations() first.
-std::vector<Operation> operations();
-
 /// Null if there is none. @param path "/v1/closures"
 const Operation* operation_at(std::span<const Operation> among, std::string_view path);
 

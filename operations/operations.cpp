@@ -1,4 +1,8 @@
+#include "operations/operations.h"
+
+#include "operations/plan_operations.h"
 #include "operations/table.h"
+#include "operations/valve_operations.h"
 
 namespace coapt {
 namespace {

@@ -1,3 +1,5 @@
+#include "operations/plan_operations.h"
+
 #include <array>
 
 #include "operations/table.h"

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "operations/valve_operations.h"
+
 #include <array>
-#include <utility>
 
 #include "operations/table.h"
 
@@ -31,28 +31,8 @@ constexpr std::array kOperations = {
     Operation{"training_score", "train score", "/v1/training/scores",
               "Scores the trials of a learner.", kTrainer, read_training_score}};
 
-constexpr std::array<std::pair<unsigned, const char*>, 5> kDoors = {{{kCommandLine, "command_line"},
-                                                                     {kService, "service"},
-                                                                     {kPython, "python"},
-                                                                     {kBrowser, "browser"},
-                                                                     {kFarm, "farm"}}};
-
 }  // namespace
 
 std::span<const Operation> valve_operations() { return kOperations; }
-
-std::vector<std::string> door_names(unsigned doors) {
-  std::vector<std::string> names;
-  for (const auto& [one, name] : kDoors)
-    if ((doors & one) != 0) names.emplace_back(name);
-  return names;
-}
-
-const Operation* operation_at(std::span<const Operation> among, std::string_view path) {
-  const auto found = std::find_if(among.begin(), among.end(), [&](const Operation& one) {
-    return one.read != nullptr && path == one.path;
-  });
-  return found == among.end() ? nullptr : &*found;
-}
 
 }  // namespace coapt

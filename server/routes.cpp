@@ -1,5 +1,6 @@
 #include "server/routes.h"
 
+#include "operations/operations.h"
 #include "server/endpoints/health.h"
 #include "server/endpoints/imports.h"
 #include "server/endpoints/job_events.h"

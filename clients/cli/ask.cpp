@@ -10,6 +10,7 @@
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/json/plan_json.h"
+#include "operations/operations.h"
 
 namespace coapt {
 namespace {

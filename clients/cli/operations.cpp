@@ -1,3 +1,5 @@
+#include "operations/operations.h"
+
 #include <iostream>
 #include <memory>
 #include <string>
@@ -5,7 +7,6 @@
 #include "clients/cli/commands.h"
 #include "io/command_line/exit_code.h"
 #include "io/json/version.h"
-#include "operations/operation.h"
 
 namespace coapt {
 namespace {

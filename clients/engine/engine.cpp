@@ -7,7 +7,7 @@
 #include "io/json/repair_answers.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
-#include "operations/operation.h"
+#include "operations/valve_operations.h"
 
 namespace coapt {
 namespace {

@@ -1,5 +1,6 @@
 // The module for browsers that searches, too.
 #include "clients/engine/engine.h"
+#include "operations/plan_operations.h"
 
 namespace coapt {
 namespace {
