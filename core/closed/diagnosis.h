@@ -13,7 +13,6 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/metrics/measure.h"
@@ -94,9 +93,5 @@ std::optional<Diagnosis> diagnose(const Valve& valve, const ClosureResult& closu
 bool may_be(const Diagnosis& diagnosis, CarpentierType type);
 /// Segments that prolapse or are flail, sure or not.
 std::vector<SegmentDiagnosis> prolapsing(const Diagnosis& diagnosis);
-
-/// Why it leaks: "The valve leaks 84 ± 7 mm² because the chordae of P2 are ruptured: its edge lies 9 mm too high above the opposite
-/// leaflet over 25 mm of its length (Carpentier type II)."
-std::string sentence_of(const Diagnosis& diagnosis);
 
 }  // namespace coapt

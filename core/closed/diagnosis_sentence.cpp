@@ -1,7 +1,8 @@
+#include "core/closed/diagnosis_sentence.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/closed/diagnosis.h"
 #include "core/repair/limits.h"
 #include "core/valve/number_text.h"
 

@@ -1,5 +1,6 @@
 #include "io/json/diagnosis_json.h"
 
+#include "core/closed/diagnosis_sentence.h"
 #include "core/repair/limits.h"
 #include "io/json/version.h"
 

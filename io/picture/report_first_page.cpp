@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/closed/diagnosis_sentence.h"
 #include "core/repair/limits.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/closed/closed_valve.h"
+#include "core/closed/diagnosis_sentence.h"
 #include "core/valve/remodel.h"
 #include "tests/scenes/small_preset.h"
 
