@@ -210,8 +210,9 @@ lint: $(WEB)/node_modules  ## what biome finds in TypeScript and flake8 in Pytho
 	@cd $(WEB) && npx --no-install biome lint --error-on-warnings
 	@flake8 --extend-ignore=E203,E501,W503 $(PYTHON)
 
-includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md
+includes-check:  ## fail if an include goes against the arrows of ARCHITECTURE.md, or a function lies elsewhere than its header says
 	cmake/check_includes.py
+	cmake/check_functions.py
 
 sources-check:  ## fail if a source that has changed, or includes what has, forgets an include; SINCE=commit says since when
 	@cmake/install_packages.sh build lab

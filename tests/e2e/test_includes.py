@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""cmake/check_includes.py passes this repository and finds each kind of wrong arrow."""
+"""cmake/check_includes.py and check_functions.py pass this repository and find each kind of wrong arrow and of a function elsewhere."""
 import subprocess
 import sys
 import tempfile
@@ -8,6 +8,7 @@ from pathlib import Path
 
 CHECK = Path(__file__).resolve().parents[2] / "cmake/check_includes.py"
 sys.path.insert(0, str(CHECK.parent))
+import check_functions  # noqa: E402
 from check_includes import complaints  # noqa: E402
 
 PASSES = [
@@ -81,6 +82,36 @@ class Includes(unittest.TestCase):
     def test_arrows_that_fail(self):
         for file, line in FAILS:
             self.assertEqual(1, len(list(complaints(file, [line]))), (file, line))
+
+
+class Functions(unittest.TestCase):
+    def found(self, **texts):
+        """Complaints of sources by their names, `a_h` for io/a.h."""
+        files = ((f"io/{name.replace('_', '.')}", text) for name, text in texts.items())
+        return list(check_functions.complaints(files))
+
+    def test_this_repository_passes(self):
+        subprocess.run([CHECK.with_name("check_functions.py")], check=True)
+
+    def test_functions_and_those_of_classes_are_found_elsewhere(self):
+        header = (
+            "struct Kept {\n  int count() const;\n};\nstd::vector<int> read(const Kept& from,\n    int first = 0);\n"
+        )
+        source = "int Kept::count() const {\n}\nstd::vector<int> read(const Kept& from, int first) {\n}\n"
+        self.assertEqual(self.found(a_h=header, a_cpp=source), [])
+        self.assertEqual(
+            self.found(a_h=header, b_cpp=source),
+            ["io/b.cpp: Kept::count() is declared in io/a.h", "io/b.cpp: read() is declared in io/a.h"],
+        )
+
+    def test_other_overloads_and_a_source_s_own_functions_are_not(self):
+        header = "void read(const Kept& from);\n"
+        self.assertEqual(self.found(a_h=header, b_cpp="void read(int from) {\n}\n"), [])
+        own = "namespace {\nvoid read(const Kept& from) {\n}\n}  // namespace\n"
+        self.assertEqual(self.found(a_h=header, b_cpp=own), [])
+
+    def test_headers_that_front_several_files_pass(self):
+        self.assertEqual(self.found(commands_h="void add(int to);\n", b_cpp="void add(int to) {\n}\n"), [])
 
 
 if __name__ == "__main__":
