@@ -31,18 +31,25 @@ Json leak_json(const ModelUncertainty& leak) {
 
 Json known(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
+/// What is known of the valve and its draws, then `found`.
+Json document_of(const char* format, const ModelStudy& study, const std::string& valve_name,
+                 const Json& found) {
+  Json document = {{"valve", valve_name},
+                   {"status", to_string(study.as_it_is.status)},
+                   {"crossing", study.as_it_is.crossing},
+                   {"draws", study.draws.size()},
+                   {"untrusted", study.untrusted},
+                   {"observed", observed_names(study.observed)},
+                   {"effective", study.effective},
+                   {"contradicts_model", study.contradicts}};
+  document.update(found);
+  return result_document(format, std::move(document));
+}
+
 }  // namespace
 
 Json to_json(const ModelStudy& study, const std::string& valve_name) {
-  return result_document("coapt.model_study/2", {{"valve", valve_name},
-                                                 {"status", to_string(study.as_it_is.status)},
-                                                 {"crossing", study.as_it_is.crossing},
-                                                 {"draws", study.draws.size()},
-                                                 {"untrusted", study.untrusted},
-                                                 {"observed", observed_names(study.observed)},
-                                                 {"effective", study.effective},
-                                                 {"contradicts_model", study.contradicts},
-                                                 {"leak", leak_json(study.leak)}});
+  return document_of("coapt.model_study/2", study, valve_name, {{"leak", leak_json(study.leak)}});
 }
 
 Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
@@ -57,16 +64,8 @@ Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
   leak.update(to_json(Estimate{measure.leak.area_mm2,
                                area_interval(measure.leak.area_mm2, measure.leak_error_mm2),
                                tissue_interval(study)}));
-  return result_document("coapt.information/1", {{"valve", valve_name},
-                                                 {"status", to_string(study.as_it_is.status)},
-                                                 {"crossing", study.as_it_is.crossing},
-                                                 {"draws", study.draws.size()},
-                                                 {"untrusted", study.untrusted},
-                                                 {"observed", observed_names(study.observed)},
-                                                 {"effective", study.effective},
-                                                 {"contradicts_model", study.contradicts},
-                                                 {"leak", std::move(leak)},
-                                                 {"rows", std::move(list)}});
+  return document_of("coapt.information/1", study, valve_name,
+                     {{"leak", std::move(leak)}, {"rows", std::move(list)}});
 }
 
 Json tissue_draws_json(const ModelStudy& study) {
