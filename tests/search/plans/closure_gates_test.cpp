@@ -2,31 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
+
+#include "tests/search/plans/gate_scene.h"
 
 namespace coapt {
 namespace {
-
-Gate gate_of(const std::vector<Gate>& gates, const std::string& rule) {
-  const auto found = std::find_if(gates.begin(), gates.end(),
-                                  [&rule](const Gate& gate) { return gate.rule == rule; });
-  EXPECT_NE(found, gates.end()) << rule;
-  return found == gates.end() ? Gate{} : *found;
-}
-
-void expect_gate(const std::vector<Gate>& gates, const std::string& rule, GateSeverity severity,
-                 const std::string& part) {
-  const Gate gate = gate_of(gates, rule);
-  EXPECT_EQ(gate.severity, severity) << rule << ": " << gate.finding;
-  EXPECT_NE(gate.finding.find(part), std::string::npos) << rule << ": " << gate.finding;
-}
-
-std::vector<std::string> rules_of(const std::vector<Gate>& gates) {
-  std::vector<std::string> rules;
-  for (const Gate& gate : gates) rules.push_back(gate.rule);
-  return rules;
-}
 
 Evaluation quiet() {
   Evaluation evaluation;

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 
 #include "core/repair/apply_plan.h"
 #include "tests/scenes/small_valve.h"
+#include "tests/search/plans/gate_scene.h"
 
 namespace coapt {
 namespace {
@@ -20,26 +20,6 @@ std::vector<Gate> gates(const RepairPlan& plan, const Valve& valve = fitting_val
 }
 
 std::vector<Gate> gates(const RepairStep& step) { return gates(RepairPlan{{step}}); }
-
-Gate gate_of(const std::vector<Gate>& gates, const std::string& rule) {
-  const auto found = std::find_if(gates.begin(), gates.end(),
-                                  [&rule](const Gate& gate) { return gate.rule == rule; });
-  EXPECT_NE(found, gates.end()) << rule;
-  return found == gates.end() ? Gate{} : *found;
-}
-
-void expect_gate(const std::vector<Gate>& gates, const std::string& rule, GateSeverity severity,
-                 const std::string& part) {
-  const Gate gate = gate_of(gates, rule);
-  EXPECT_EQ(gate.severity, severity) << rule << ": " << gate.finding;
-  EXPECT_NE(gate.finding.find(part), std::string::npos) << rule << ": " << gate.finding;
-}
-
-std::vector<std::string> rules_of(const std::vector<Gate>& gates) {
-  std::vector<std::string> rules;
-  for (const Gate& gate : gates) rules.push_back(gate.rule);
-  return rules;
-}
 
 RepairStep own_ring(int sizes_below) { return Annuloplasty{OwnRing{sizes_below}}; }
 RepairStep ring(double size_mm, const std::string& shape = "generic-classic") {
