@@ -31,22 +31,21 @@ TEST(Compute, OneCoreServesLongOnesToo) {
 }
 
 TEST(Compute, WhatCannotBeginInTimeIsToldAtOnce) {
-  // Two may wait behind the one that runs: the second begins within 2 x 10 s.
-  Compute compute(2, std::chrono::seconds(20), std::chrono::seconds(10));
+  // Two may wait behind the one that runs: the second begins within 2 x 1 h. Who waited would do so for as long.
+  Compute compute(2, std::chrono::hours(2), std::chrono::hours(1));
   std::optional<Compute::Turn> running(std::in_place, compute, TurnCost::Long);
-  std::atomic<int> served = 0;
-  std::vector<std::thread> waiting;
-  for (int i = 0; i < 2; ++i)
-    waiting.emplace_back([&] {
-      if (Compute::Turn(compute, TurnCost::Long)) ++served;
+  std::atomic<int> served = 0, refused = 0;
+  std::vector<std::thread> asking;
+  for (int i = 0; i < 3; ++i)
+    asking.emplace_back([&] {
+      ++(Compute::Turn(compute, TurnCost::Long) ? served : refused);
+      refused.notify_one();
     });
-  std::this_thread::sleep_for(milliseconds(200));
-  const auto asked = std::chrono::steady_clock::now();
-  EXPECT_FALSE(Compute::Turn(compute, TurnCost::Long));
-  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(5));
+  refused.wait(0);
   running.reset();
-  for (std::thread& thread : waiting) thread.join();
+  for (std::thread& thread : asking) thread.join();
   EXPECT_EQ(served, 2);
+  EXPECT_EQ(refused, 1);
 }
 
 TEST(Compute, ShortOnesGoFirstUntilALongOneHasWaitedLongEnough) {

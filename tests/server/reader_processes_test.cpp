@@ -116,10 +116,9 @@ TEST_F(ReaderProcessesTest, AReaderThatWasTakenOverCanDoNothingElse) {
 }
 
 TEST_F(ReaderProcessesTest, NobodyIsReadForThatHasGone) {
-  const auto asked = std::chrono::steady_clock::now();
   int times = 0;
   EXPECT_EQ(ask("t", [&] { return ++times > 3; }).end, End::Cancelled);
-  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::milliseconds(900));
+  EXPECT_EQ(times, 4);
 }
 
 TEST_F(ReaderProcessesTest, ManyAskAtOnce) {
