@@ -16,7 +16,7 @@
 #include "io/exchange/import_files.h"
 #include "io/exchange/shape_file.h"
 #include "io/json/comparison_json.h"
-#include "io/mesh/vtk.h"
+#include "io/mesh/write_vtk.h"
 #include "io/picture/distance_map.h"
 #include "io/picture/text.h"
 

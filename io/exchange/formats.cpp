@@ -15,6 +15,7 @@
 #include "io/image/write_label_map.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/write_mesh.h"
+#include "io/mesh/write_vtk.h"
 
 namespace coapt {
 namespace {

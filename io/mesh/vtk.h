@@ -34,10 +34,6 @@ inline constexpr const char* kVtkTitle =
 inline constexpr const char* kPatientVtkTitle =
     "coapt: research software, not a medical device; millimetres, axes of the patient; SPACE=LPS";
 
-/// Version 4.2, nine digits. Lines come before faces; data that only one of them has is 0 for the other,
-/// because ASCII readers take no NaN. @pre indices are in range, data have their length.
-std::string write_vtk(const VtkPolyData& data);
-
 /// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars of
 /// lines and faces are kept. Errors name the line. ASCII or binary. Of an unstructured grid
 /// the same cells. Unsupported: other datasets, cells with a volume, text

@@ -5,7 +5,7 @@
 #include "io/mesh/little_endian.h"
 #include "io/mesh/mesh_builder.h"
 #include "io/mesh/mesh_text.h"
-#include "io/mesh/vtk.h"
+#include "io/mesh/write_vtk.h"
 
 namespace coapt {
 namespace {

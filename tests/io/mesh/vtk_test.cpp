@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mesh/mesh_file.h"
+#include "io/mesh/write_vtk.h"
 
 namespace coapt {
 namespace {
