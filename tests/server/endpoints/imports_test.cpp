@@ -1,58 +1,15 @@
 // Valves out of the files of segmentation tools.
 #include "server/endpoints/imports.h"
 
-#include <openssl/evp.h>
-
-#include <thread>
-
 #include "io/exchange/slicerheart.h"
-#include "io/mesh/write_mesh.h"
-#include "server/base64.h"
 #include "server/jobs/import_job.h"
 #include "tests/io/mesh/cone_scene.h"
-#include "tests/server/endpoints/service_scene.h"
+#include "tests/server/endpoints/import_scene.h"
 
 namespace coapt {
 namespace {
 
 class ImportsTest : public ServiceTest {};
-
-std::string base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  text.resize(static_cast<std::size_t>(EVP_EncodeBlock(
-      reinterpret_cast<unsigned char*>(text.data()),
-      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()))));
-  return text;
-}
-
-std::string row(const Vec3& p) {
-  return std::to_string(p.x()) + ',' + std::to_string(p.y()) + ',' + std::to_string(p.z());
-}
-
-/// The cone as three files; its leaflet as STL, in base64, if asked.
-Json cone_request(bool as_stl = false) {
-  const ImportSource source = cone_source();
-  std::string annulus, chordae = "id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z\n";
-  for (Index i = 0; i < source.annulus_mm.rows(); ++i)
-    annulus += row(source.annulus_mm.row(i)) + '\n';
-  for (const ImportedChorda& chorda : source.chordae)
-    chordae += chorda.id + (chorda.side == Side::Anterolateral ? ",AL," : ",PM,") +
-               row(chorda.insertion_mm) + ',' + row(chorda.tip_mm) + '\n';
-  const std::string mesh = *write_mesh(source.leaflets.front(), as_stl ? "stl" : "obj");
-  Json leaflet = {{"name", as_stl ? "Skirt.STL" : "skirt.obj"}};
-  leaflet[as_stl ? "base64" : "text"] = as_stl ? base64(mesh) : mesh;
-  return {{"leaflets", {leaflet}},
-          {"annulus", {{"name", "annulus.csv"}, {"text", annulus}}},
-          {"chordae", {{"name", "chordae.csv"}, {"text", chordae}}},
-          {"triangles", 300}};
-}
-
-/// The first one; null if there is none.
-Json decision_about(const Json& decisions, const std::string& what) {
-  const auto found = std::find_if(decisions.begin(), decisions.end(),
-                                  [&](const Json& of) { return of["subject"] == what; });
-  return found == decisions.end() ? Json() : *found;
-}
 
 TEST_F(ImportsTest, FilesBecomeAValveThatIsStored) {
   Json request = cone_request();
@@ -110,18 +67,6 @@ TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
   const Answer refused = post("/v1/valves:import", {{"slicerheart", files}});
   EXPECT_EQ(refusal(refused).status, 422);
   EXPECT_EQ(refusal(refused).paths.front(), "/slicerheart");
-}
-
-/// Two sheets whose chordae nobody has seen.
-Json unseen_request() {
-  const ImportSource source = cone_source_with_gaps();
-  Json request = cone_request();
-  request["leaflets"] = Json::array();
-  for (const TriangleMesh& sheet : source.leaflets)
-    request["leaflets"].push_back({{"name", "sheet.obj"}, {"text", *write_mesh(sheet, "obj")}});
-  request.erase("chordae");
-  request["chordae_seed"] = 1;
-  return request;
 }
 
 TEST_F(ImportsTest, ChordaeThatWereNotSeenAreDrawn) {
@@ -300,126 +245,6 @@ TEST_F(ImportsTest, WhatIsShownOfFilesIsBounded) {
   EXPECT_EQ(refusal(post("/v1/imports:preview", {{"files", many}})), (Refused{422, {"/files"}}));
 }
 
-/// A job that waits, run as the server does.
-JobEnd run_import(const ServiceLimits& limits, JobStore& store, JobBoard& board) {
-  const std::shared_ptr<RunningJob> job = board.take();
-  const std::optional<JobEnd> end = ImportJob{board, store, {limits}}(*job);
-  EXPECT_TRUE(end);
-  board.finish(job, end);
-  return end.value_or(JobEnd{});
-}
-
-TEST_F(ImportsTest, AsAJobAPictureStandsBesideTheValve) {
-  const Json request = cone_request();
-  const Answer answer = post("/v1/imports", request, {{"idempotency-key", "one"}});
-  ASSERT_EQ(answer.status, 202) << json_of(answer);
-  const std::string job = json_of(answer)["id"];
-  EXPECT_EQ(json_of(answer)["kind"], "import");
-  EXPECT_EQ(json_of(post("/v1/imports", request, {{"idempotency-key", "one"}}))["id"], job);
-  Json other = request;
-  other["name"] = "another";
-  EXPECT_EQ(post("/v1/imports", other, {{"idempotency-key", "one"}}).status, 422);
-  ASSERT_TRUE(*store().input(job));
-  run_import(limits_, store(), board());
-  EXPECT_FALSE(*store().input(job)) << "files are kept no longer than they are needed";
-
-  const Json ended = json_of(get("/v1/jobs/" + job));
-  EXPECT_EQ(ended["state"], "SUCCEEDED");
-  EXPECT_EQ(ended["made"], ended["valve"]);
-  const Json result = json_of(get(ended["links"]["result"]));
-  EXPECT_EQ(result["schema"], "coapt.import/2");
-  EXPECT_EQ(result["valve"], ended["made"]);
-  EXPECT_EQ(decision_about(result["decisions"], "units")["value"], "mm");
-  EXPECT_TRUE(result["fit"].is_null());
-  EXPECT_TRUE(bytes_of(get(ended["links"]["picture"])).starts_with("\x89PNG"));
-  const std::string document = bytes_of(get("/v1/jobs/" + job + "/files/valve.json"));
-  EXPECT_EQ(Json::parse(document),
-            json_of(get("/v1/valves/" + result["valve"].get<std::string>())));
-  EXPECT_EQ(get("/v1/jobs/" + job + "/report").status, 404);
-  EXPECT_EQ(remove("/v1/jobs/" + job).status, 204);
-}
-
-/// Leaflets of a small valve as they hang, and its closed surface with a tip elsewhere.
-Json fit_request() {
-  const auto files_of = [](const Valve& valve, bool open) {
-    return *write_slicerheart(close_and_measure(valve, {.motion = open}), {.open = open});
-  };
-  Json request = {{"slicerheart", Json::array()}, {"triangles", 150}};
-  for (const NamedFile& file : files_of(small_valve(), true))
-    request["slicerheart"].push_back({{"name", file.name}, {"text", file.bytes}});
-  Valve displaced = small_valve();
-  for (PapillaryHead& head : displaced.heads)
-    if (head.side == Side::Anterolateral) head.tip_mm.z() -= 1.0;
-  std::string points;
-  const ClosedValve closed = close_and_measure(displaced);
-  for (const auto vertex : closed.closure.closed_mm.rowwise())
-    points += row(vertex.transpose()) + '\n';
-  request["fit"] = {{"surface", {{"name", "Smith_John_systole.csv"}, {"text", points}}},
-                    {"side", "middle"},
-                    {"known", {"slack", "prestretch", "hidden"}},
-                    {"rounds", 1}};
-  return request;
-}
-
-TEST_F(ImportsTest, AFitChangesTheValveThatWasImported) {
-  const Answer answer = post("/v1/imports", fit_request());
-  ASSERT_EQ(answer.status, 202) << json_of(answer);
-  const std::string job = json_of(answer)["id"];
-  const JobEnd end = run_import(limits_, store(), board());
-  EXPECT_EQ(end.state, JobState::Succeeded) << end.summary;
-  const Json result = json_of(get("/v1/jobs/" + job + "/result"));
-  EXPECT_EQ(result["imported"], json_of(answer)["valve"]);
-  EXPECT_NE(result["valve"], result["imported"]);
-  EXPECT_EQ(result["fit"]["schema"], "coapt.fit/1");
-  EXPECT_LT(result["fit"]["rms_mm"], result["fit"]["rms_before_mm"]);
-  EXPECT_EQ(result["decisions"].back()["subject"], "fit");
-  const Json valve = json_of(get("/v1/valves/" + result["valve"].get<std::string>()));
-  EXPECT_TRUE(valve["provenance"].back().get<std::string>().starts_with("fitted to the closed"));
-  EXPECT_EQ(valve.dump().find("Smith"), std::string::npos);
-  EXPECT_EQ(result.dump().find("Smith"), std::string::npos);
-  EXPECT_GT(json_of(get("/v1/jobs/" + job))["progress"]["rms_mm"], 0.0);
-}
-
-TEST_F(ImportsTest, AFitGoesOnWhereItWasKept) {
-  const std::string whole = json_of(post("/v1/imports", fit_request()))["id"];
-  run_import(limits_, store(), board());
-  const std::string again = json_of(post("/v1/imports", fit_request()))["id"];
-  // A server that stops after the first round.
-  const std::shared_ptr<RunningJob> job = board().take();
-  std::thread stopper([&] {
-    while (!store().state(again)->has_value()) std::this_thread::yield();
-    board().stop();
-  });
-  const ImportJob work{board(), store(), {limits_}};
-  std::optional<JobEnd> end;
-  try {
-    end = work(*job);
-  } catch (const std::runtime_error&) {
-  }
-  stopper.join();
-  JobBoard next(store(), kQueue);
-  if (!end) {
-    board().finish(job, std::nullopt);
-    ASSERT_TRUE(**store().state(again) != "");
-    ASSERT_TRUE(next.resume().empty());
-    run_import(limits_, store(), next);
-  } else {
-    board().finish(job, end);
-  }
-  const auto result_of = [&](const std::string& id) {
-    Json result = json_of(get("/v1/jobs/" + id + "/result"));
-    return result;
-  };
-  EXPECT_EQ(result_of(again), result_of(whole));
-}
-
-TEST_F(ImportsTest, AJobEndsWhileItsValveIsMade) {
-  post("/v1/imports", unseen_request());
-  const std::shared_ptr<RunningJob> job = board().take();
-  job->cancelled = job->cancel_asked = true;
-  EXPECT_THROW((ImportJob{board(), store(), {limits_}})(*job), std::runtime_error);
-}
-
 TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
   const auto refused = [&](const Json& fit) {
     Json request = cone_request();
@@ -434,16 +259,6 @@ TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
   EXPECT_EQ(refused({{"surface", mesh}, {"known", {"all"}}, {"leak_mm2", -1}, {"side", "front"}}),
             (Refused{422, {"/fit/side", "/fit/leak_mm2", "/fit/known/0"}}));
   EXPECT_EQ(refusal(post("/v1/valves:import", {{"fit", {{"rounds", 1}}}})).paths.back(), "/fit");
-}
-
-TEST_F(ImportsTest, AFitThatCannotBeMadeFailsWithItsPlace) {
-  Json request = fit_request();
-  request["fit"]["surface"]["text"] = "0,0,0\n1,0,0\n";
-  const std::string job = json_of(post("/v1/imports", request))["id"];
-  run_import(limits_, store(), board());
-  const Json ended = json_of(get("/v1/jobs/" + job));
-  EXPECT_EQ(ended["state"], "FAILED");
-  EXPECT_EQ(ended["problems"][0]["path"], "/fit/surface");
 }
 
 TEST_F(ImportsTest, FilesAreReadApartToTheSameAnswers) {
@@ -491,14 +306,6 @@ TEST_F(ImportsTest, AReaderThatDiesIsTheProblemOfItsRequest) {
   const std::optional<JobEnd> end = ImportJob{board(), store(), reader}(*job);
   ASSERT_TRUE(end);
   EXPECT_EQ(end->state, JobState::Failed);
-}
-
-TEST(Base64, ComesBackAsItWas) {
-  for (const std::string& bytes : {std::string(), std::string("a"), std::string("ab"),
-                                   std::string("abc"), std::string("\0\xff\n", 3)})
-    EXPECT_EQ(decoded_base64(base64(bytes)), bytes);
-  for (const char* text : {"a", "====", "ab==c", "a=bc", "ab\n=", "\xc3\xa4=="})
-    EXPECT_EQ(decoded_base64(text), std::nullopt) << text;
 }
 
 }  // namespace
