@@ -17,9 +17,9 @@ EngineAnswer computed(const Operation& operation, std::string_view body,
   const Expected<Json> request = parse_json(body);
   if (!request) return problem(400, request.errors());
   Points closed_mm;
-  Context context{
-      .progress = std::move(progress),
-      .closed = [&](const ClosedValve& closed) { closed_mm = closed.closure.closed_mm; }};
+  Context context{.progress = std::move(progress), .closed = [&](const ClosedValve& closed) {
+                    closed_mm = closed.closure.closed_mm;
+                  }};
   const Expected<OperationTask> task = operation.read(*request, context);
   if (!task) return problem(422, task.errors());
   Expected<OperationAnswer> answer = task->run(context);
