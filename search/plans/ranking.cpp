@@ -138,6 +138,11 @@ void keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, in
   plans.resize(options.plans);
 }
 
+/// Where some are to be dropped: not of plans of one's own.
+bool takes_simpler(const SearchOptions& options, const std::vector<PlanRecord*>& finalists) {
+  return options.evidence && !options.rank_by_price && std::ssize(finalists) > options.plans;
+}
+
 /// Adds simpler versions of plans of the first class, and safer ones of those that are warned of, closed as far as these are. False if it was stopped.
 bool add_simpler(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
                  const SearchOptions& options) {
@@ -260,7 +265,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
-  const int finalists = (kFinalists + 1) * options.plans;
+  const int finalists = kFinalists * options.plans + kSimpler;
   int most = finalists * before + options.plans * (options.region_points - before);
   if (options.evidence)
     most += finalists * kDisease.count +
@@ -280,6 +285,7 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
     evidence.push_back(evidence_closures(plan->plan) - kDisease.count);
   }
   if (!options.evidence) return most;
+  if (takes_simpler(options, finalists)) most += kSimpler * (before + kDisease.count);
   std::sort(evidence.begin(), evidence.end(), std::greater<>());
   return std::accumulate(evidence.begin(), evidence.begin() + staying, most);
 }
@@ -314,9 +320,7 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
     const bool last_before = nodes == std::min(kBeforeTheRegion, options.region_points);
     if (last_before && options.evidence) {
       close_disease(evaluations, finalists, PlanEvaluations::Phase::Ranking);
-      // Where some are to be dropped: not of plans of one's own.
-      if (!options.rank_by_price && std::ssize(finalists) > options.plans)
-        add_simpler(evaluations, finalists, nodes, options);
+      if (takes_simpler(options, finalists)) add_simpler(evaluations, finalists, nodes, options);
     }
     if (nodes >= std::min(kBeforeTheRegion, options.region_points))
       keep_best(evaluations, finalists, nodes, options);
