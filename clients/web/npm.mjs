@@ -10,7 +10,13 @@ import { writePresets } from './presets.mjs'
 const WEB = fileURLToPath(new URL('./', import.meta.url))
 const SOURCES = join(WEB, 'npm')
 // Whose code is in the module, beside NLopt's.
-const COMPILED_IN = ['libeigen3-dev', 'nlohmann-json3-dev', 'libc++-19-dev-wasm32', 'libclang-rt-19-dev-wasm32', 'wasi-libc']
+const COMPILED_IN = [
+  'libeigen3-dev',
+  'nlohmann-json3-dev',
+  'libc++-19-dev-wasm32',
+  'libclang-rt-19-dev-wasm32',
+  'wasi-libc',
+]
 const [folder, coapt, planner] = process.argv.slice(2).map((path) => resolve(path))
 
 rmSync(folder, { recursive: true, force: true })
@@ -28,9 +34,18 @@ await build({
     rollupOptions: { external: [/^node:/], output: { entryFileNames: '[name].js', chunkFileNames: '[name].js' } },
   },
   // The address of thread.js is made where the package runs.
-  plugins: [{ name: 'keep-addresses', enforce: 'pre', transform: (code) => code.replaceAll('import.meta.url', 'import.meta["url"]') }],
+  plugins: [
+    {
+      name: 'keep-addresses',
+      enforce: 'pre',
+      transform: (code) => code.replaceAll('import.meta.url', 'import.meta["url"]'),
+    },
+  ],
 })
-execFileSync('npx', ['--no-install', 'tsc', '-p', SOURCES, '--outDir', join(folder, 'types')], { cwd: WEB, stdio: 'inherit' })
+execFileSync('npx', ['--no-install', 'tsc', '-p', SOURCES, '--outDir', join(folder, 'types')], {
+  cwd: WEB,
+  stdio: 'inherit',
+})
 
 writePresets(folder, coapt)
 copyFileSync(planner, join(folder, 'coapt-planner.wasm'))

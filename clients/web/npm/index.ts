@@ -132,7 +132,7 @@ export class Coapt {
     return said as Answer
   }
 
-  /** Ends the threads; requests that wait reject. */
+  /** Ends the threads; requests that wait or are computed reject. */
   close(): void {
     this.threads.end()
   }

@@ -46,7 +46,8 @@ async function startThread(): Promise<Thread> {
 
 export class Threads {
   private readonly idle: Thread[] = []
-  private readonly waiting: (() => void)[] = []
+  private readonly waiting: (() => void)[] = [] // for the place of one that is computed
+  private readonly computed = new Set<(why: unknown) => void>() // each ended by this
   private running = 0
   private ended = false
 
@@ -55,24 +56,25 @@ export class Threads {
     private readonly most: number,
   ) {}
 
-  /// Rejects with the signal's reason if that aborts, and with an Error if the module or its thread fails.
+  /// Rejects with the signal's reason if that aborts, and with an Error if the module or its thread fails, or after end().
   async ask(asked: Asked): Promise<Answered> {
     asked.signal?.throwIfAborted()
-    if (this.running >= this.most) await this.turn(asked.signal)
-    if (this.ended) throw new Error('coapt was closed')
-    ++this.running
+    if (this.running < this.most) ++this.running
+    else await this.turn(asked.signal)
     try {
+      if (this.ended) throw closed()
       return await this.compute(asked)
     } finally {
-      --this.running
-      this.waiting.shift()?.()
+      const next = this.waiting.shift()
+      if (next) next()
+      else --this.running
     }
   }
 
   end(): void {
     this.ended = true
     for (const thread of this.idle.splice(0)) thread.terminate()
-    for (const go of this.waiting.splice(0)) go()
+    for (const stop of this.computed) stop(closed())
   }
 
   private turn(signal?: AbortSignal): Promise<void> {
@@ -94,10 +96,13 @@ export class Threads {
   private async compute({ path, body, signal, progress }: Asked): Promise<Answered> {
     const thread = this.idle.pop() ?? (await this.start())
     thread.hold(true)
-    let abort = () => {}
+    const abort = () => stop(signal?.reason)
+    let stop = (_why: unknown): void => {}
     try {
       const answer = await new Promise<Answered>((resolve, reject) => {
-        abort = () => reject(signal?.reason)
+        stop = reject
+        this.computed.add(stop)
+        if (this.ended) return reject(closed())
         if (signal?.aborted) return abort()
         signal?.addEventListener('abort', abort, { once: true })
         thread.listen((said) => {
@@ -107,14 +112,14 @@ export class Threads {
         }, reject)
         thread.postMessage({ path, body })
       })
-      if (this.ended) thread.terminate()
-      else this.idle.push(thread)
+      this.idle.push(thread)
       thread.hold(false)
       return answer
     } catch (error) {
       thread.terminate() // it may be computing still, or its module may be of no use any more
       throw error
     } finally {
+      this.computed.delete(stop)
       signal?.removeEventListener('abort', abort)
     }
   }
@@ -124,4 +129,8 @@ export class Threads {
     thread.postMessage({ module: this.module })
     return thread
   }
+}
+
+function closed(): Error {
+  return new Error('coapt was closed')
 }

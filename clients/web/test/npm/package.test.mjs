@@ -90,6 +90,18 @@ test('a search that is aborted ends, and others go on', { timeout: PATIENCE_MS }
   assert.ok(Date.now() > begun)
 })
 
+test('after close() nothing goes on', async () => {
+  const other = await api.load({ threads: 1 })
+  const valve = await other.valve(small.document)
+  const asked = [valve.plan({ evaluations: 100_000 }), valve.diagnose(), valve.close()]
+  setTimeout(() => other.close(), 200)
+  for (const { status, reason } of await Promise.allSettled(asked)) {
+    assert.equal(status, 'rejected')
+    assert.match(reason.message, /closed/)
+  }
+  await assert.rejects(valve.close(), /closed/)
+})
+
 test('what is refused says where and why', async () => {
   await assert.rejects(coapt.preset('no-such-valve'), RangeError)
   await assert.rejects(coapt.valve('{'), api.CoaptError)
