@@ -6,6 +6,18 @@ import { isAcceptable } from './figures'
 import { costOf, priceItems, type Wanted, type Weights } from './price'
 
 const OFTEN_FAILING = 0.05 // as search/plans/ranking.cpp has it
+// As search/plans/gates.cpp has them.
+const AVOIDABLE: readonly Gate['rule'][] = [
+  'filling',
+  'systolic_anterior_motion',
+  'ring_stenosis',
+  'opening_area',
+  'mean_gradient',
+  'papillary_movement',
+  'undersizing',
+  'ring_width',
+]
+const OF_CLOSURE: readonly Gate['rule'][] = ['convergence', 'crossing', 'opening_area']
 const TOLD_MM2 = 0.05 // differences below it are not told
 const TOLD = 3 // differences, the largest first
 
@@ -15,6 +27,10 @@ interface Statement {
 }
 
 const STATEMENTS: Statement[] = [
+  {
+    holds: ({ gates }) => !gates.some(({ rule, severity }) => severity === 'reject' && !OF_CLOSURE.includes(rule)),
+    not: 'a rule of practice rejects it',
+  },
   { holds: passes('convergence', 'crossing'), not: 'its closure as planned is not to be trusted' },
   {
     holds: ({ region_failures, region_closures }) => region_failures <= OFTEN_FAILING * region_closures,
@@ -22,6 +38,11 @@ const STATEMENTS: Statement[] = [
   },
   { holds: passes('opening_area'), not: 'it opens to less than 1.5 cm²' },
   { holds: isAcceptable, not: 'it is not acceptable' },
+  {
+    holds: (plan) =>
+      !isAcceptable(plan) || !plan.gates.some(({ rule, severity }) => severity === 'warn' && AVOIDABLE.includes(rule)),
+    not: 'it has a warning that others avoid',
+  },
 ]
 
 function passes(...rules: Gate['rule'][]): Statement['holds'] {

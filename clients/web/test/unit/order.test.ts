@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import kept from '../../../../tests/kept/0.1/plans.json'
-import type { RankedPlan } from '../../src/api/types'
+import type { Gate, RankedPlan } from '../../src/api/types'
 import { reordered, whyFirst } from '../../src/search/order'
 import { wantedWeights, AS_SEARCHED, type Factors, type Weights } from '../../src/search/price'
 import { planOf, WEIGHTS } from './plans'
@@ -78,6 +78,19 @@ test('an opening that the program rejects comes before the cost; one that is not
   const narrow = planOf({ rank: 2, cost: 1, opening_mm2: 140 })
   const unopened = planOf({ rank: 1, cost: 2, opening_mm2: null })
   expect(ranks([unopened, narrow])).toEqual([1, 2])
+})
+
+test('none brings forward a plan that practice rejects or that is warned of', () => {
+  const of = (plan: RankedPlan, rule: Gate['rule'], severity: Gate['severity']): RankedPlan => ({
+    ...plan,
+    gates: [...plan.gates.filter((gate) => gate.rule !== rule), { ...(plan.gates[0] as Gate), rule, severity }],
+  })
+  const first = planOf({ rank: 1, terms: { step: 2 } })
+  const cheaper = planOf({ rank: 2, terms: { step: 1 } })
+  expect(ranks([first, cheaper], { operation: 2 })).toEqual([2, 1])
+  expect(ranks([first, of(cheaper, 'undersizing', 'warn')], { operation: 2 })).toEqual([1, 2])
+  expect(ranks([first, of(cheaper, 'undersizing', 'reject')], { operation: 2 })).toEqual([1, 2])
+  expect(ranks([first, of(cheaper, 'margin_to_leak', 'warn')], { operation: 2 })).toEqual([2, 1]) // no operation avoids it
 })
 
 test('up to a twentieth of the region may fail, a plan without a cost comes last', () => {
