@@ -34,11 +34,9 @@ std::span<const Operation> (*further_operations)() = nullptr;
 
 EngineAnswer answer(std::string_view path, std::string_view body,
                     std::function<void(int done, int planned)> progress) {
-  if (const Operation* operation = operation_at(valve_operations(), path))
-    return computed(*operation, body, std::move(progress));
-  if (further_operations)
-    if (const Operation* operation = operation_at(further_operations(), path))
-      return computed(*operation, body, std::move(progress));
+  const Operation* operation = operation_at(valve_operations(), path);
+  if (!operation && further_operations) operation = operation_at(further_operations(), path);
+  if (operation) return computed(*operation, body, std::move(progress));
   if (path == "/v1/rings") return json_answer(200, rings_answer());
   if (path == "/version")
     return json_answer(200, {{"version", version()},

@@ -1,7 +1,7 @@
 // The package for npm, in FOLDER: scripts and types from npm/, the module that searches, presets, licences.
 // `node npm.mjs FOLDER COAPT PLANNER`
 import { execFileSync } from 'node:child_process'
-import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { build } from 'vite'
@@ -19,7 +19,6 @@ const COMPILED_IN = [
 ]
 const [folder, coapt, planner] = process.argv.slice(2).map((path) => resolve(path))
 
-rmSync(folder, { recursive: true, force: true })
 await build({
   root: WEB,
   configFile: false,

@@ -3,19 +3,15 @@
  * Research software, not a medical device; not for clinical decisions.
  */
 import type { components } from '../src/api/openapi.js'
+import type { Closure, Evaluations, Opening, Plan, Scene, SearchResult, ValveDocument } from '../src/api/types.js'
 import { Threads } from './threads'
 
+export type { Closure, Evaluations, Opening, Plan, Scene, ValveDocument }
 type Schemas = components['schemas']
-export type ValveDocument = Schemas['Valve']
-export type Plan = Schemas['Plan']
 export type Material = Schemas['Material']
 export type Search = Schemas['Search']
-export type Closure = Schemas['Closure']
-export type Opening = Schemas['Opening']
-export type Scene = Schemas['Scene']
 export type Diagnosis = Schemas['DiagnosisDocument']
-export type Plans = Schemas['Plans']
-export type Evaluations = Schemas['Evaluations']
+export type Plans = SearchResult
 export type Observations = NonNullable<ValveDocument['observed']>
 export type Problem = Schemas['Fault']
 

@@ -1,5 +1,5 @@
 // Short names for the service's documents (openapi.ts). Millimetres, newtons, square millimetres.
-import type { components } from './openapi'
+import type { components } from './openapi.js'
 
 type Schemas = components['schemas']
 

@@ -6,10 +6,10 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { pathToFileURL } from 'node:url'
+import { COAPT, native } from '../native.mjs'
 import { ROOT, startBrowser } from '../page/page.mjs'
 import { startFiles } from '../static/files.mjs'
 
-const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
 const PACKAGE = join(ROOT, 'build/npm')
 const SEARCH = { evaluations: 30, region_points: 5, plans: 2, fine_levels: 0, model_draws: 0, evidence: false }
 const PATIENCE_MS = 300_000
@@ -34,15 +34,6 @@ after(() => {
   coapt.close()
   rmSync(folder, { recursive: true, force: true })
 })
-
-/// coapt's exit code says whether a valve leaks; its words come either way.
-function native(...args) {
-  try {
-    return JSON.parse(execFileSync(COAPT, [...args, '--json'], { encoding: 'utf8', stdio: 'pipe' }))
-  } catch (leaks) {
-    return JSON.parse(leaks.stdout)
-  }
-}
 
 const planOf = ({ plans }) => plans.map(({ plan, class: kind }) => ({ plan, kind }))
 

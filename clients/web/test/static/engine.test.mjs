@@ -6,6 +6,7 @@ import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { readPicture } from '../../src/engine/picture'
+import { native } from '../native.mjs'
 import { hash, startInNode } from './bits.mjs'
 
 const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
@@ -33,15 +34,6 @@ const read = ({ status, body }) => ({ status, answer: JSON.parse(new TextDecoder
 function ask(path, valve, more = {}, of = engine) {
   const fields = Object.entries(more).map(([name, value]) => `,${JSON.stringify(name)}:${JSON.stringify(value)}`)
   return read(of.answer(path, `{"valve":${textOf(valve)}${fields.join('')}}`))
-}
-
-/// coapt's exit code says whether a valve leaks; its words come either way.
-function native(...args) {
-  try {
-    return JSON.parse(execFileSync(join(BIN, 'coapt'), [...args, '--json'], { encoding: 'utf8', stdio: 'pipe' }))
-  } catch (leaks) {
-    return JSON.parse(leaks.stdout)
-  }
 }
 
 /// An unsigned LEB128 number of a module at `place`.

@@ -6,12 +6,12 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { gzipSync } from 'node:zlib'
+import { COAPT, native } from '../native.mjs'
 import { accessProblems, openView, ROOT, startBrowser } from '../page/page.mjs'
 import { tell } from '../page/telling.mjs'
 import { engineScript, hash } from './bits.mjs'
 import { startFiles } from './files.mjs'
 
-const COAPT = process.env.COAPT_PROGRAM ?? join(ROOT, 'build/release/bin/coapt')
 const MOST_BYTES = 1_200_000 // compressed, without the presets and the module that searches, which has as many
 const PATIENCE_MS = 120_000
 
@@ -39,16 +39,12 @@ const headline = () => page.locator('[data-part=headline]').first().textContent(
 const leak = () => page.locator('[data-part=measures] tr', { hasText: 'Leak' }).locator('td').allTextContents()
 const number = (text) => Number.parseFloat(text)
 
-function native(...args) {
-  return JSON.parse(execFileSync(COAPT, ['close', '--json', ...args], { encoding: 'utf8' }))
-}
-
 test('a preset is closed as natively, and its leak stands there', async () => {
   await opened('human-functional-mr')
   await page.getByLabel('Preset').selectOption('human-p2-prolapse')
   await opened('human-p2-prolapse')
   await page.waitForFunction(() => /mm²/.test(document.querySelector('[data-part=headline]')?.textContent ?? ''))
-  const expected = native('human-p2-prolapse')
+  const expected = native('close', 'human-p2-prolapse')
   assert.ok(Math.abs(number((await leak())[0]) - expected.leak_mm2) <= 0.5, `${await leak()}, not ${expected.leak_mm2}`)
 })
 
@@ -65,7 +61,7 @@ test('a ring closes it again', async () => {
   const plan = join(folder, 'ring.json')
   const steps = [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }]
   writeFileSync(plan, JSON.stringify({ schema: 'coapt.plan/1', steps }))
-  const expected = native('human-p2-prolapse', '--plan', plan)
+  const expected = native('close', 'human-p2-prolapse', '--plan', plan)
   assert.ok(Math.abs(number((await leak())[1]) - expected.leak_mm2) <= 0.5, `${await leak()}, not ${expected.leak_mm2}`)
   assert.match(await headline(), /→/)
 })
@@ -128,16 +124,8 @@ test('a search finds the plans of coapt plan', async () => {
     '--model-draws',
     '0',
   ]
-  let said = ''
-  try {
-    said = execFileSync(COAPT, ['plan', file, ...options, '--no-evidence', '--json'], {
-      encoding: 'utf8',
-      stdio: 'pipe',
-    })
-  } catch (leaks) {
-    said = leaks.stdout
-  }
-  const expected = JSON.parse(said).plans.flatMap(({ description }) => description)
+  const { plans } = native('plan', file, ...options, '--no-evidence')
+  const expected = plans.flatMap(({ description }) => description)
   assert.deepEqual(await page.locator('[data-part=plan] [data-part=steps] li').allTextContents(), expected)
   assert.deepEqual(await accessProblems(page), [])
 })
