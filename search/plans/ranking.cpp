@@ -25,7 +25,7 @@
 namespace coapt {
 namespace {
 
-constexpr int kSimpler = 6;             // versions of finalists at most
+constexpr int kSimpler = 8;             // versions of finalists at most
 constexpr double kOftenFailing = 0.05;  // of the region's closures: then its figures mean little
 
 std::vector<double> costs_of(const PlanEvaluations& evaluations,

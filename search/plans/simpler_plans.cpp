@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/repair/apply_plan.h"
@@ -15,6 +16,7 @@ namespace coapt {
 namespace {
 
 constexpr int kSaferSizes = 2;
+constexpr int kSmallerSizes = 2;
 
 bool is_fixed(const SearchRules& rules, const RepairStep& step) {
   return std::any_of(
@@ -40,6 +42,21 @@ bool enlarge(const Valve& valve, CatalogueRing& ring) {
   return true;
 }
 
+/// Its ring made smaller, size by size, as far as practice goes: what a ring alone may need to close what a suture closed.
+std::vector<RepairPlan> with_smaller_rings(const Valve& valve, RepairPlan plan,
+                                           const SearchRules& rules) {
+  std::vector<RepairPlan> versions;
+  CatalogueRing* const ring = open_ring(plan, rules);
+  while (ring && std::ssize(versions) < kSmallerSizes &&
+         ring->size_mm - kRingSizeStep_mm >= kRingSizesMm.min) {
+    ring->size_mm -= kRingSizeStep_mm;
+    const Expected<Valve> ringed = apply_plan(valve, plan);
+    if (!ringed || ring_sizes_below(valve, *ringed) > kMostSizesBelow) break;
+    versions.push_back(plan);
+  }
+  return versions;
+}
+
 /// The smallest ring of its shape that is not a whole size below the true one.
 RepairPlan with_true_size(const Valve& valve, RepairPlan plan, const SearchRules& rules) {
   CatalogueRing* const ring = open_ring(plan, rules);
@@ -62,8 +79,9 @@ RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules&
   return plan;
 }
 
-/// Without each of its sutures, and without both.
-std::vector<RepairPlan> with_fewer_sutures(const RepairPlan& plan, const SearchRules& rules) {
+/// Without each of its sutures, and without both, then with smaller rings, too.
+std::vector<RepairPlan> with_fewer_sutures(const Valve& valve, const RepairPlan& plan,
+                                           const SearchRules& rules) {
   std::vector<RepairPlan> versions;
   RepairPlan without_all = plan;
   for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
@@ -78,7 +96,10 @@ std::vector<RepairPlan> with_fewer_sutures(const RepairPlan& plan, const SearchR
     std::erase_if(without_all.steps, is_it);
     if (!without.steps.empty()) versions.push_back(std::move(without));
   }
-  if (!without_all.steps.empty()) versions.push_back(std::move(without_all));
+  if (without_all.steps.empty() || without_all.steps.size() == plan.steps.size()) return versions;
+  std::vector<RepairPlan> smaller = with_smaller_rings(valve, without_all, rules);
+  versions.push_back(std::move(without_all));
+  std::move(smaller.begin(), smaller.end(), std::back_inserter(versions));
   return versions;
 }
 
@@ -121,7 +142,7 @@ RepairPlan with_anchor(const Valve& valve, RepairPlan plan, Side side, Anchor an
 std::vector<RepairPlan> simpler_plans(const Valve& valve, const RepairPlan& plan,
                                       const SearchRules& rules) {
   const RepairPlan truly = with_true_size(valve, plan, rules);
-  std::vector<RepairPlan> versions = with_fewer_sutures(plan, rules);
+  std::vector<RepairPlan> versions = with_fewer_sutures(valve, plan, rules);
   versions.push_back(with_trigones(valve, plan, rules));
   versions.push_back(truly);
   versions.push_back(with_trigones(valve, truly, rules));

@@ -38,10 +38,15 @@ TEST(SimplerPlans, SuturesAreLeftOutOneByOneAndTogether) {
   plan.steps.push_back(PapillaryApproximation{
       .side = Side::Anterolateral, .anchor = Anchor::IpsilateralTrigone, .suture_length_mm = 24.0});
   const auto simpler = simpler_plans(functional(), plan, {});
-  ASSERT_GE(simpler.size(), 3u);
+  ASSERT_GE(simpler.size(), 5u);
   EXPECT_EQ(plan_key(simpler[0]), plan_key({{plan.steps[0], plan.steps[1]}}));
   EXPECT_EQ(plan_key(simpler[1]), plan_key({{plan.steps[0], plan.steps[2]}}));
   EXPECT_EQ(plan_key(simpler[2]), plan_key({{plan.steps[0]}}));
+  EXPECT_EQ(plan_key(simpler[3]), plan_key({{ring(28.0)}}));
+  EXPECT_EQ(plan_key(simpler[4]), plan_key({{ring(26.0)}}));
+  const auto small = simpler_plans(functional(), {{ring(24.0), free_suture(24.0)}}, {});
+  EXPECT_EQ(plan_key(small[0]), plan_key({{ring(24.0)}}));
+  EXPECT_NE(suture_of(small[1], Side::Posteromedial), nullptr) << "no ring is smaller";
   const auto alone = simpler_plans(functional(), {{free_suture(24.0)}}, {});
   for (const RepairPlan& version : alone) EXPECT_FALSE(version.steps.empty());
 }
@@ -49,12 +54,13 @@ TEST(SimplerPlans, SuturesAreLeftOutOneByOneAndTogether) {
 TEST(SimplerPlans, AFreePointBecomesTheTrigoneWithAsMuchMovement) {
   const RepairPlan plan{{ring(26.0), free_suture(24.0)}};
   const auto simpler = simpler_plans(functional(), plan, {});
-  ASSERT_EQ(simpler.size(), 4u) << "without it, the trigone, the true size, both";
+  ASSERT_EQ(simpler.size(), 5u)
+      << "without it, a smaller ring alone, the trigone, the true size, both";
   const auto tip = [](const RepairPlan& made) {
     return papillary_tip_mm(*apply_plan(functional(), made), Side::Posteromedial);
   };
   const Vec3 before = papillary_tip_mm(functional(), Side::Posteromedial);
-  for (const std::size_t i : {1u, 3u}) {
+  for (const std::size_t i : {2u, 4u}) {
     const PapillaryApproximation& suture = *suture_of(simpler[i], Side::Posteromedial);
     EXPECT_EQ(suture.anchor, Anchor::IpsilateralTrigone);
     EXPECT_LE((tip(simpler[i]) - before).norm(), kUsualMovement_mm + 1e-9);
