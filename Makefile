@@ -21,7 +21,7 @@ ENGINE := build/wasm/bin/coapt-engine.wasm
 PLANNER := build/wasm/bin/coapt-planner.wasm
 ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden asan asan-build asan-test fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -53,17 +53,29 @@ nightly:  ## everything: make check as if all had changed, unit tests at -O3, cl
 check-packages: $(WEB)/node_modules
 	@cmake/install_packages.sh build docs test cluster proxy lab readers browser wasm format lint clang sanitizers
 
-test: scripts-test examples-test asan  ## build and run the product's tests: programs end to end, units under the sanitizers
+test: scripts-test examples-test model-test asan-outer  ## build and run the product's tests: programs end to end, units, those that meet input under the sanitizers
 
 scripts-test: build  ## the product's tests of whole programs, of the bits, and those that take long
 	@cmake/install_packages.sh docs test proxy
-	ctest --preset release $(CTEST) --label-exclude "^(lab|live|examples)$$"
+	ctest --preset release $(CTEST) --label-exclude "^(lab|live|examples|$(MODEL_LABELS))$$"
 
 examples-test: build  ## the Python that guides, docstrings and notebooks show
 	@cmake/install_packages.sh docs test
 	ctest --preset release $(CTEST) --label-regex "^examples$$"
 
-# Unit tests at -O3, which the landing check runs under the sanitizers alone.
+# UNITS: folders below tests/ whose unit tests are meant; all, or none.
+UNITS := all
+MODEL := $(patsubst tests/%/CMakeLists.txt,%,$(wildcard tests/core/*/CMakeLists.txt tests/search/CMakeLists.txt))
+MODEL_UNITS := $(if $(filter all,$(UNITS)),$(MODEL),$(filter $(MODEL),$(UNITS)))
+MODEL_LABELS := core/.*|search
+empty :=
+
+model-test: configure  ## units of core and search at -O3: the bits, the kernels, the long ones, too
+	@cmake/install_packages.sh test
+	[ -z "$(MODEL_UNITS)" ] || cmake --build --preset release --target $(MODEL_UNITS:%=tests/%/all)
+	[ -z "$(MODEL_UNITS)" ] || ctest --preset release $(CTEST) --label-regex "^($(subst $(empty) ,|,$(MODEL_UNITS)))$$" --label-exclude "^lab$$"
+
+# At -O3 also those that the check of a change runs under the sanitizers alone.
 optimised-test:
 	@cmake/install_packages.sh build test
 	cmake --preset release -DCOAPT_UNIT_TESTS=ON
@@ -262,21 +274,24 @@ golden:  ## the same bits of closures and a search by g++ and clang++, each at -
 	@cmake/install_packages.sh build clang
 	cmake/golden.sh
 
-# UNITS: folders below tests/ whose unit tests are meant; all, or none.
-UNITS := all
-UNIT_TARGETS := $(if $(filter all,$(UNITS)),all,coapt coapt-farm coapt-server $(patsubst %,tests/%/all,$(filter-out none,$(UNITS))))
-UNIT_LABELS := $(if $(filter all,$(UNITS)),.,^(e2e$(patsubst %,|%,$(filter-out none,$(UNITS))))$$)
-empty :=
+# Of core and search, which the release build holds, only UNITS=all has the tests, and only preset asan has them sanitized.
+ASAN := asan
+OUTER_UNITS := $(filter-out none $(MODEL),$(UNITS))
+UNIT_TARGETS := $(if $(filter all,$(UNITS)),all,coapt coapt-farm coapt-server $(OUTER_UNITS:%=tests/%/all))
+UNIT_LABELS := $(if $(filter all,$(UNITS)),.,^(e2e$(OUTER_UNITS:%=|%))$$)
 
 asan: asan-build asan-test  ## build and test with the address and undefined-behaviour sanitizers, but the long tests
 
+asan-outer: programs  ## likewise all that meets input (io, operations, farm, server, clients), with core and search of the release build
+	@$(MAKE) --no-print-directory asan ASAN=asan-outer
+
 asan-build:
 	@cmake/install_packages.sh build test clang sanitizers
-	cmake --preset asan
-	nice -n 15 cmake --build --preset asan --target $(UNIT_TARGETS)
+	cmake --preset $(ASAN)
+	nice -n 15 cmake --build --preset $(ASAN) --target $(UNIT_TARGETS)
 
 asan-test:
-	ctest --preset asan $(CTEST) --label-regex "$(subst $(empty) |,|,$(UNIT_LABELS))" --label-exclude "^(long|lab|live)$$"
+	ctest --preset $(ASAN) $(CTEST) --label-regex "$(subst $(empty) |,|,$(UNIT_LABELS))" --label-exclude "^(long|lab|live)$$"
 
 fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build clang sanitizers

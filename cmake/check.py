@@ -71,14 +71,22 @@ def stages(units):
                 Phase("laboratory", "lab-test", rooms=("lab",), paths=BUILD + ("tests/lab", "lab/")),
             ],
             [
-                Phase("sanitizers", f"asan-build UNITS='{units}'", PRODUCT, BUILD + ("tests/",), compiles=True),
-                Phase("units", f"asan-test UNITS='{units}'", PRODUCT, BUILD + ("tests/",), compiles=True),
+                Phase("model", f"model-test UNITS='{units}'", ("core", "search"), BUILD + ("tests/",), compiles=True),
+                Phase(
+                    "sanitizers",
+                    f"asan-build ASAN=asan-outer UNITS='{units}'",
+                    PRODUCT,
+                    BUILD + ("tests/",),
+                    compiles=True,
+                ),
+                Phase("units", f"asan-test ASAN=asan-outer UNITS='{units}'", PRODUCT, BUILD + ("tests/",), compiles=True),
             ],
         ),
     )
 
 
 NIGHTLY = (
+    Phase("asan", "asan"),
     Phase("optimised", "optimised-test"),
     Phase("sources-all", "sources-check SINCE=all"),
     Phase("golden", "golden"),
