@@ -79,7 +79,9 @@ def stages(units):
                     BUILD + ("tests/",),
                     compiles=True,
                 ),
-                Phase("units", f"asan-test ASAN=asan-outer UNITS='{units}'", PRODUCT, BUILD + ("tests/",), compiles=True),
+                Phase(
+                    "units", f"asan-test ASAN=asan-outer UNITS='{units}'", PRODUCT, BUILD + ("tests/",), compiles=True
+                ),
             ],
         ),
     )
