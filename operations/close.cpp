@@ -7,9 +7,10 @@
 #include "core/closed/accurate_closure.h"
 #include "core/closed/mesh_convergence.h"
 #include "core/valve/leaflets.h"
+#include "io/json/model_study_json.h"
 #include "io/json/opening_json.h"
 #include "io/json/result_json.h"
-#include "operations/repair_request.h"
+#include "operations/model_draws.h"
 #include "operations/stopwatch.h"
 #include "operations/table.h"
 #include "search/plans/gates.h"
@@ -19,6 +20,7 @@ namespace {
 
 // Meshes of four and sixteen times the triangles take some ten and a hundred times as long.
 constexpr std::ptrdiff_t kClosuresOfFinerMeshes = 100;
+constexpr int kMostDraws = 1000;
 constexpr int kFewestVertices = 6, kMostVertices = 100'000;  // of a mesh that refining makes
 
 struct CloseRequest {
@@ -27,6 +29,7 @@ struct CloseRequest {
   std::optional<double> accuracy_mm2{};
   std::optional<MeshConvergenceOptions> converge{};
   bool open = false;
+  int draws = 0;
 };
 
 constexpr Range kAnyError{0.0, std::numeric_limits<double>::max()};
@@ -63,7 +66,11 @@ std::vector<JsonField> fields_of(CloseRequest& asked) {
                 [](const JsonPlace& place) { return read_number_in(place, kAnyError, " mm2"); }),
            false},
           {"converge", into(asked.converge, read_converge), false},
-          {"open", into(asked.open, read_boolean), false}};
+          {"open", into(asked.open, read_boolean), false},
+          {"draws",
+           into(asked.draws,
+                [](const JsonPlace& place) { return read_integer_in(place, 0, kMostDraws); }),
+           false}};
 }
 
 /// What cannot be asked for together.
@@ -77,7 +84,9 @@ Errors contradictions(const CloseRequest& asked) {
                  "is known for method fast only; leave out method thesis");
   if (is_mitral(asked.repair.valve)) return std::move(problems).take();
   for (const auto& [given, name] :
-       {std::pair(asked.accuracy_mm2.has_value(), "/accuracy_mm2"), {asked.open, "/open"}})
+       {std::pair(asked.accuracy_mm2.has_value(), "/accuracy_mm2"),
+        {asked.open, "/open"},
+        {asked.draws > 0, "/draws"}})
     if (given)
       problems.add(ErrorCode::Unsupported, name,
                    "needs a mitral valve (coapt.valve/1); this is coapt.valve/2");
@@ -115,6 +124,18 @@ Expected<ClosedValve> closed_valve(const CloseRequest& asked, Context& context, 
   return std::move(within->closed);
 }
 
+/// Adds the tissue's part of the leak's error, by as many draws as asked for.
+Errors add_tissue(const CloseRequest& asked, Context& context, Json& answer) {
+  ModelStudyOptions study;
+  study.draws = asked.draws;
+  const Expected<ModelStudy> drawn = study_within(asked.repair, study, asked.closure, context);
+  if (!drawn) return drawn.errors();
+  const std::optional<Interval> tissue = tissue_interval(*drawn);
+  answer["leak"]["tissue"] = tissue ? Json{tissue->low, tissue->high} : Json();
+  answer["tissue_draws"] = tissue_draws_json(*drawn);
+  return {};
+}
+
 Expected<OperationAnswer> close(const CloseRequest& asked, Context& context) {
   const auto& [before, plan, repaired, material] = asked.repair;
   Json finer = Json::object();
@@ -126,6 +147,8 @@ Expected<OperationAnswer> close(const CloseRequest& asked, Context& context) {
   if (mitral) closed = with_repair(*std::move(closed), before, plan);
   Json answer = closure_to_json(closed->valve, closed->closure, closed->measure, seconds);
   answer.update(finer);
+  if (asked.draws > 0)
+    if (Errors errors = add_tissue(asked, context, answer); !errors.empty()) return errors;
   std::vector<std::string> warnings;
   if (mitral) warnings = warnings_of(operation_gates({plan, before, repaired}));
   if (asked.open) {
@@ -150,11 +173,15 @@ Expected<OperationTask> read_close(const Json& request, const Context& context) 
       !errors.empty())
     return errors;
   if (Errors errors = contradictions(*asked); !errors.empty()) return errors;
+  if (Errors errors = check_draws(asked->repair, asked->draws, context); !errors.empty())
+    return errors;
   // The thesis takes the mean of several end states of a mitral valve.
   if (asked->closure.method == Method::Thesis && is_mitral(asked->repair.valve))
     asked->closure.samples = kThesisSamples;
   const bool once = !asked->converge && !asked->accuracy_mm2;
-  return task_of(asked, once ? 1 : kClosuresOfFinerMeshes, close);
+  return task_of(asked,
+                 (once ? 1 : kClosuresOfFinerMeshes) + draw_closures(asked->repair, asked->draws),
+                 close);
 }
 
 }  // namespace coapt

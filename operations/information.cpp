@@ -1,10 +1,8 @@
 // Which measurement of a valve would say most of its leak, as it is or repaired. Answers coapt.information/1.
 #include "search/studies/information.h"
 
-#include <atomic>
-
 #include "io/json/model_study_json.h"
-#include "operations/repair_request.h"
+#include "operations/model_draws.h"
 #include "operations/table.h"
 
 namespace coapt {
@@ -18,19 +16,9 @@ struct InformationRequest {
 };
 
 Expected<OperationAnswer> inform(const InformationRequest& asked, Context& context) {
-  ModelStudyOptions study = asked.study;
-  study.threads = context.limits.threads;
-  study.evaluate = closing_evaluator({.budget = context.budget()}, LeakBy::Surface);
-  if (!asked.repair.plan.steps.empty()) study.unrepaired = &asked.repair.valve;
-  std::atomic<bool> over = false;
-  study.cancelled = &over;
-  study.progress = [&](int done, int planned) {
-    over = over || context.cancelled() || (context.interrupted && *context.interrupted);
-    if (context.progress) context.progress(done, planned);
-  };
-  const ModelStudy drawn = study_model(asked.repair.repaired, study);
-  if (context.cancelled()) return context.refusal();
-  return OperationAnswer(to_json(drawn, information_rows(drawn), asked.repair.valve.name));
+  const Expected<ModelStudy> drawn = study_within(asked.repair, asked.study, {}, context);
+  if (!drawn) return drawn.errors();
+  return OperationAnswer(to_json(*drawn, information_rows(*drawn), asked.repair.valve.name));
 }
 
 }  // namespace
@@ -46,15 +34,9 @@ Expected<OperationTask> read_information(const Json& request, const Context& con
                                   asked->repair);
       !errors.empty())
     return errors;
-  const bool twice = !asked->repair.plan.steps.empty();
-  const int closures = asked->study.draws * (twice ? 2 : 1);
-  const std::ptrdiff_t most = most_closures(asked->repair.repaired, context.limits);
-  if (closures > most)
-    return Error{ErrorCode::OutOfRange, "/draws",
-                 "is " + std::to_string(asked->study.draws) + ", together " +
-                     std::to_string(closures) + " closures; must be at most " +
-                     std::to_string(most / (twice ? 2 : 1)) + " for a valve of this size"};
-  return task_of(asked, closures, inform);
+  if (Errors errors = check_draws(asked->repair, asked->study.draws, context); !errors.empty())
+    return errors;
+  return task_of(asked, draw_closures(asked->repair, asked->study.draws), inform);
 }
 
 }  // namespace coapt

@@ -16,8 +16,6 @@ constexpr Operation kOperations[] = {
     {"physiology", "study physiology", "/v1/physiology",
      "Sets loads, strains, rings and openings beside what was measured in hearts.", kNative,
      read_physiology},
-    {"information", "study information", "/v1/information",
-     "Says which measurement of a valve would tell most of its leak.", kNative, read_information},
     {"report", "evaluate", "/v1/reports", "Writes the report on plans of one's own.", kNative,
      read_report},
     {"export", "export", "/v1/exports", "Closes a valve and writes it as a file.", kNative,

@@ -18,15 +18,12 @@
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/server_option.h"
 #include "core/closure/standing.h"
-#include "core/repair/apply_plan.h"
 #include "io/command_line/files.h"
 #include "io/command_line/progress_bar.h"
 #include "io/exchange/import_files.h"
-#include "io/json/model_study_json.h"
 #include "io/mesh/write_mesh.h"
 #include "io/picture/opening_picture.h"
 #include "io/picture/picture.h"
-#include "search/studies/model_study.h"
 
 namespace coapt {
 namespace {
@@ -45,22 +42,6 @@ struct CloseArguments {
 
 constexpr int kMostDraws = 1000;
 
-/// Adds the tissue's part of the leak's error, by as many draws as asked for.
-void add_tissue(const CloseArguments& arguments, const Valve& given, const RepairPlan& plan,
-                Json& json) {
-  const Valve valve = *with_material(given, values_of(arguments.material));
-  ModelStudyOptions study;
-  study.draws = arguments.draws;
-  study.evaluate = closing_evaluator(arguments.closure, LeakBy::Surface);
-  if (!plan.steps.empty()) study.unrepaired = &valve;
-  const ProgressBar bar;
-  study.progress = [&](int done, int planned) { bar.show(done, planned, "draws"); };
-  const ModelStudy drawn = study_model(*apply_plan(valve, plan), study);
-  const std::optional<Interval> tissue = tissue_interval(drawn);
-  json["leak"]["tissue"] = tissue ? Json{tissue->low, tissue->high} : Json();
-  json["tissue_draws"] = tissue_draws_json(drawn);
-}
-
 /// What the arguments ask for, beside valve and plan.
 void add_options(const CloseArguments& arguments, Json& request) {
   if (is_given(arguments.material)) request["material"] = material_json(arguments.material);
@@ -72,6 +53,7 @@ void add_options(const CloseArguments& arguments, Json& request) {
   if (arguments.accuracy_mm2) request["accuracy_mm2"] = *arguments.accuracy_mm2;
   if (arguments.converge.wanted) request["converge"] = converge_json(arguments.converge);
   if (arguments.open) request["open"] = true;
+  if (arguments.draws > 0) request["draws"] = arguments.draws;
 }
 
 /// What is wrong with the request in the words of the command line.
@@ -120,10 +102,13 @@ int run(const CloseArguments& arguments, const std::optional<Service>& service) 
   ClosedHere made;
   asked.here.closed = [&](const ClosedValve& closed) { made.closed = closed; };
   asked.here.opened = [&](const OpenedValve& opened) { made.diastole = opening_line(opened); };
-  Expected<Json> closure = ask_document(service, "close", asked.request, asked.here);
+  const auto close_it = [&] {
+    const ProgressBar bar;
+    asked.here.progress = [&](int done, int planned) { bar.show(done, planned, "draws"); };
+    return ask_document(service, "close", asked.request, asked.here);
+  };
+  const Expected<Json> closure = close_it();
   if (!closure) return report_close(closure.errors(), asked.sources);
-  if (arguments.draws > 0)
-    add_tissue(arguments, *asked.here.valve_named(arguments.valve), made.closed->plan, *closure);
   if (arguments.json)
     std::cout << closure->dump(2) << '\n';
   else
@@ -186,7 +171,7 @@ void add_close(Command parent, int& status) {
       "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"
       "  coapt close valve.json --server http://127.0.0.1:8080");
-  on_run_by(command, "close", arguments->server, {"--closed", "--draws"}, status,
+  on_run_by(command, "close", arguments->server, {"--closed"}, status,
             [arguments](const auto& service) { return run(*arguments, service); });
 }
 

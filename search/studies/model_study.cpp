@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "core/metrics/quantile.h"
 #include "search/model_draw.h"
 #include "search/parallel.h"
+#include "search/threads.h"
 
 namespace coapt {
 namespace {
@@ -81,13 +81,13 @@ void add_block(const Valve& valve, int block, const Evaluator& evaluate,
   const std::vector<std::vector<double>> shares =
       model_draws(options.draws, options.seed + static_cast<std::uint64_t>(block));
   std::vector<std::optional<ModelStudyDraw>> draws(shares.size());
-  std::mutex mutex;
+  Mutex mutex;
   int done = block * options.draws;
   for_each_index(options.draws, options.threads, [&](int i) {
     if (options.cancelled != nullptr && options.cancelled->load()) return;
     const auto at = static_cast<std::size_t>(i);
     draws[at] = closed_draw(valve, shares[at], evaluate, options);
-    const std::lock_guard<std::mutex> lock(mutex);
+    const Lock lock(mutex);
     ++done;
     if (options.progress) options.progress(done, (block + 1) * options.draws);
   });

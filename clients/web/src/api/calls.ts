@@ -7,6 +7,7 @@ import type {
   FileLookedAt,
   FileToImport,
   ImportRequest,
+  Information,
   Job,
   Opening,
   Physiology,
@@ -33,6 +34,16 @@ export function close(valve: string, plan: Plan | null, signal?: AbortSignal): P
 /// The same valve in diastole. `frames`: states of the opening, at most.
 export function openValve(valve: string, plan: Plan | null, frames: number): Promise<Opening> {
   return postJson('/v1/openings', { valve, frames, ...(plan ? { plan } : {}) })
+}
+
+/// What is known of its leak over draws of tissue and chordae, and which measurement would tell most of it.
+export function valueInformation(
+  valve: string,
+  plan: Plan | null,
+  draws: number,
+  signal: AbortSignal,
+): Promise<Information> {
+  return postJson('/v1/information', { valve, draws, ...(plan ? { plan } : {}) }, signal)
 }
 
 /// What it does beside what was measured in hearts: seconds of computing.

@@ -12,6 +12,7 @@ import { Looks } from '../valve/looks'
 import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
 import { sectionInset } from '../valve/section_inset'
+import { TissueError } from '../valve/tissue_error'
 import { kindsOn, legend } from '../viewer/legend'
 import type { Grip } from '../viewer/handles'
 import { Viewer } from '../viewer/viewer'
@@ -35,6 +36,7 @@ export class RepairView implements View {
   private readonly kept: KeptPlans
   private readonly legend = h('div', {})
   private readonly headline = h('div', {})
+  private readonly tissue = new TissueError(() => this.tell())
   private readonly insets = {
     before: h('div', { class: valveStyle.inset, hidden: true }),
     after: h('div', { class: valveStyle.inset, hidden: true }),
@@ -156,7 +158,7 @@ export class RepairView implements View {
         ? ''
         : `Closed and measured in ${Math.round(answer_ms)} ms.`
     const { warnings } = after.closure
-    this.headline.replaceChildren(headline(before, this.workspace.after))
+    this.tell()
     this.measures.replaceChildren(
       h('h2', {}, 'Measured'),
       ...(warnings.length > 0 && this.workspace.after
@@ -167,6 +169,14 @@ export class RepairView implements View {
     this.draw()
     this.after.handles.set(this.grips())
     this.tolerance.follow()
+  }
+
+  /// What is passed through while a handle is drawn has its numerical error alone.
+  private tell(): void {
+    const { before, after, plan, valve, isAnswered } = this.workspace
+    if (!before) return
+    const drawn = isAnswered ? this.tissue.of(after ?? before, valve?.reference, after ? plan : null) : null
+    this.headline.replaceChildren(headline(before, after, drawn))
   }
 
   /// Of the repair that is shown; none while there is none.

@@ -1,24 +1,52 @@
 // The leak as the one large number of a view, where it is, and how sure it is.
-import type { Measure, Scene } from '../api/types'
+import type { Information, Measure, Scene } from '../api/types'
 import { h } from '../dom'
 import { joined, knownDigits, withError, withUnit } from '../format'
 import { term } from '../help/term'
 import valveStyle from './valve.module.css'
 
-export function headline(before: Scene, after: Scene | null): HTMLElement {
+const TELLING = 0.3 // of the variance: what tells less of it is not named
+
+/// `drawn`: of the valve as it is shown last; null while it is not known.
+export function headline(before: Scene, after: Scene | null, drawn: Information | null = null): HTMLElement {
   const { closure } = after ?? before
+  const tissue = widerTissue(closure, drawn)
   return h(
     'p',
     { class: valveStyle.headline, 'data-part': 'headline' },
-    h('span', { class: valveStyle.leak }, leakWords(before.closure, after?.closure)),
+    h('span', { class: valveStyle.leak }, leakWords(before.closure, after?.closure, tissue)),
     h(
       'span',
       { class: valveStyle.sure },
       term('leak', 'leak'),
       `${leakPlace(closure)}, `,
-      closure.leak.error_mm2 === null ? 'error not known' : term('error', '± numerical error'),
+      tissue
+        ? term('tissue', '5 to 95 % by what is not known of the tissue')
+        : closure.leak.error_mm2 === null
+          ? 'error not known'
+          : term('error', '± numerical error'),
     ),
+    tissue && h('span', { class: valveStyle.sure }, narrowing(drawn)),
   )
+}
+
+/// From 5 to 95 %, where the tissue leaves the leak less known than mesh and closure do.
+export function widerTissue({ leak }: Measure, drawn: Information | null): Range | null {
+  const tissue = drawn?.leak.tissue
+  if (!tissue) return null
+  const [low = 0, high = 0] = tissue
+  return high - low > 2 * (leak.error_mm2 ?? 0) ? { low, high } : null
+}
+
+interface Range {
+  low: number
+  high: number
+}
+
+/// The measurement of the valve that would tell most of it.
+export function narrowing(drawn: Information | null): string {
+  const row = drawn?.rows[0]
+  return row && (row.share_removed ?? 0) >= TELLING ? `To narrow it, measure first: ${row.measurement}.` : ''
 }
 
 /// " at A2 and P2, 3.1 mm wide": the largest opening and the segments that have most of its rim. Empty where there is none, or the leak is not more than its error.
@@ -30,9 +58,11 @@ export function leakPlace({ leak }: Measure): string {
 }
 
 /// "45.7 → 2.1 ± 0.4 mm²": each leak to the digits that are known of it, the error of the last. Plans that release 0.2 has
-/// found have no `leak`.
-export function leakWords(before: Measure, after?: Measure): string {
+/// found have no `leak`. With the tissue's range "46 mm² (30 to 68)".
+export function leakWords(before: Measure, after?: Measure, tissue?: Range | null): string {
   const last = after ?? before
   const from = after ? `${knownDigits(before.leak_mm2, before.leak?.error_mm2)} → ` : ''
-  return from + withError(last.leak_mm2, last.leak?.error_mm2, 'mm²')
+  if (!tissue) return from + withError(last.leak_mm2, last.leak?.error_mm2, 'mm²')
+  const digits = (value: number | null) => knownDigits(value, 0.5 * (tissue.high - tissue.low))
+  return `${from}${digits(last.leak_mm2)} mm² (${digits(tissue.low)} to ${digits(tissue.high)})`
 }

@@ -20,6 +20,7 @@ import { Looks } from './looks'
 import { measures } from './measures'
 import { openPanel } from './open'
 import { sectionInset } from './section_inset'
+import { TissueError } from './tissue_error'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 import viewerStyle from '../viewer/viewer.module.css'
@@ -35,6 +36,7 @@ export class ValveView implements View {
   private readonly legend = h('div', {})
   private readonly inset = h('div', { class: valveStyle.inset, hidden: true })
   private readonly headline = h('div', {})
+  private readonly tissue = new TissueError(() => this.tell())
   private readonly diastole = new Diastole()
   private readonly measures = h('div', {})
   private share = 1 // of the closing, as it is drawn
@@ -112,11 +114,16 @@ export class ValveView implements View {
       this.distance.clear()
       this.viewer.stage.drawNow()
       if (performance.getEntriesByName(FIRST).length === 0) performance.mark(FIRST)
-      this.headline.replaceChildren(headline(before, null))
+      this.tell()
       this.measures.replaceChildren(measures(before, null))
       void this.openUp(before)
     }
     this.draw()
+  }
+
+  private tell(): void {
+    const { before, valve } = this.workspace
+    if (before) this.headline.replaceChildren(headline(before, null, this.tissue.of(before, valve?.reference, null)))
   }
 
   /// After the closed valve, which does not wait for it. A valve that cannot be opened has a closing alone.

@@ -51,7 +51,7 @@ test('the first look, and what scripts are told of it', async () => {
   assert.deepEqual([shown, valve.reference, plan.steps, isAway], ['valve', 'human-functional-mr', [], false])
   assert.match(
     await page.locator('[data-part=headline]').first().textContent(),
-    new RegExp(`^${Math.round(leak_mm2.before)} ± `),
+    new RegExp(`^${Math.round(leak_mm2.before)} (± |mm² )`),
   )
 })
 

@@ -1,0 +1,42 @@
+// How far the leak may be off by what is not known of the tissue. It takes dozens of closures, so it is asked for once the
+// closure has been shown for a moment.
+import { valueInformation } from '../api/calls'
+import type { Information, Plan, Scene } from '../api/types'
+
+const REST_MS = 600
+const DRAWS = 24
+
+export class TissueError {
+  private scene: Scene | null = null // whose error is known or asked for
+  private found: Information | null = null
+  private timer = 0
+  private abort = new AbortController()
+
+  constructor(private readonly onFound: () => void) {}
+
+  /// Of `scene`, if it has come; else it is asked for, of the valve `reference` with `plan`.
+  of(scene: Scene, reference: string | undefined, plan: Plan | null): Information | null {
+    if (this.scene !== scene) {
+      this.clear()
+      this.scene = scene
+      if (reference !== undefined) this.timer = window.setTimeout(() => void this.ask(reference, plan), REST_MS)
+    }
+    return this.found
+  }
+
+  private clear(): void {
+    clearTimeout(this.timer)
+    this.abort.abort()
+    this.abort = new AbortController()
+    this.found = this.scene = null
+  }
+
+  /// A valve that is too large for it keeps its numerical error.
+  private async ask(reference: string, plan: Plan | null): Promise<void> {
+    const { signal } = this.abort
+    const found = await valueInformation(reference, plan, DRAWS, signal).catch(() => null)
+    if (signal.aborted || !found) return
+    this.found = found
+    this.onFound()
+  }
+}

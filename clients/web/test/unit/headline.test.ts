@@ -1,0 +1,30 @@
+import { expect, test } from 'vitest'
+import type { Information, Measure } from '../../src/api/types'
+import { leakWords, narrowing, widerTissue } from '../../src/valve/headline'
+
+const leaking = (area_mm2: number, error_mm2: number) =>
+  ({ leak_mm2: area_mm2, leak: { area_mm2, error_mm2, openings: [] } }) as unknown as Measure
+const drawn = (tissue: number[] | null, share_removed = 0.78) =>
+  ({
+    leak: { tissue },
+    rows: [{ measurement: 'widest gap to 0.5 mm', share_removed, remaining_mm2: 7 }],
+  }) as unknown as Information
+
+test('the leak carries the wider of its errors', () => {
+  const valve = leaking(58, 6)
+  const large = (information: Information | null) => leakWords(valve, undefined, widerTissue(valve, information))
+  expect(large(null)).toBe('58 ± 6 mm²')
+  expect(large(drawn([33.4, 95.2]))).toBe('58 mm² (33 to 95)')
+  expect(large(drawn([55, 60]))).toBe('58 ± 6 mm²')
+  expect(large(drawn(null))).toBe('58 ± 6 mm²')
+})
+
+test('a repaired leak has the range of the repaired valve', () => {
+  expect(leakWords(leaking(58, 6), leaking(2.13, 0.4), { low: 0.2, high: 7.4 })).toBe('58 → 2 mm² (0 to 7)')
+})
+
+test('what narrows the range is named where it tells much', () => {
+  expect(narrowing(drawn([33, 95]))).toBe('To narrow it, measure first: widest gap to 0.5 mm.')
+  expect(narrowing(drawn([33, 95], 0.1))).toBe('')
+  expect(narrowing(null)).toBe('')
+})

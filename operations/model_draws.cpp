@@ -1,0 +1,39 @@
+#include "operations/model_draws.h"
+
+#include <atomic>
+#include <string>
+
+namespace coapt {
+
+int draw_closures(const RepairRequest& asked, int draws) {
+  return asked.plan.steps.empty() ? draws : 2 * draws;
+}
+
+Errors check_draws(const RepairRequest& asked, int draws, const Context& context) {
+  const int closures = draw_closures(asked, draws);
+  const std::ptrdiff_t most = most_closures(asked.repaired, context.limits);
+  if (closures <= most) return {};
+  return {Error{ErrorCode::OutOfRange, "/draws",
+                "is " + std::to_string(draws) + ", together " + std::to_string(closures) +
+                    " closures; must be at most " + std::to_string(most * draws / closures) +
+                    " for a valve of this size"}};
+}
+
+Expected<ModelStudy> study_within(const RepairRequest& asked, ModelStudyOptions study,
+                                  ClosureOptions closure, Context& context) {
+  study.threads = context.limits.threads;
+  closure.budget = context.budget();
+  study.evaluate = closing_evaluator(closure, LeakBy::Surface);
+  if (!asked.plan.steps.empty()) study.unrepaired = &asked.valve;
+  std::atomic<bool> over = false;
+  study.cancelled = &over;
+  study.progress = [&](int done, int planned) {
+    over = over || context.cancelled() || (context.interrupted && *context.interrupted);
+    if (context.progress) context.progress(done, planned);
+  };
+  ModelStudy drawn = study_model(asked.repaired, study);
+  if (context.cancelled()) return context.refusal();
+  return drawn;
+}
+
+}  // namespace coapt
