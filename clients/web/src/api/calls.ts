@@ -8,6 +8,7 @@ import type {
   FileToImport,
   ImportRequest,
   Information,
+  Observed,
   Job,
   Opening,
   Physiology,
@@ -44,6 +45,13 @@ export function valueInformation(
   signal: AbortSignal,
 ): Promise<Information> {
   return postJson('/v1/information', { valve, draws, ...(plan ? { plan } : {}) }, signal)
+}
+
+/// The document of the valve with these figures in place of those that were observed before.
+export async function observeValve(valve: string, observed: Observed): Promise<string> {
+  const isEmpty = Object.keys(observed).length === 0
+  const asked = { valve, forget: true, ...(isEmpty ? {} : { observed }) }
+  return (await request('POST', '/v1/valves:observe', asked)).text()
 }
 
 /// What it does beside what was measured in hearts: seconds of computing.

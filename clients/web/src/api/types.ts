@@ -23,6 +23,7 @@ export type Leak = Schemas['Leak']
 export type LeakSurfaces = Schemas['LeakSurfaces']
 export type Opening = Schemas['Opening']
 export type OpeningScene = Schemas['OpeningScene']
+export type Observed = NonNullable<Schemas['Valve']['observed']>
 export type Information = Schemas['Information']
 export type Physiology = Schemas['Physiology']
 export type PhysiologyRow = Schemas['PhysiologyRow']

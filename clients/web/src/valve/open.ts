@@ -8,6 +8,7 @@ import { nameValve } from '../state/valves'
 import { problemsOf, type ValveSource, type Workspace } from '../workspace'
 import { importPanel } from './import'
 import type { ImportStage } from './import_stage'
+import { observedPanel } from './observed'
 import { openedList } from './opened_list'
 import { presetWords } from './presets'
 import parts from '../style/parts.module.css'
@@ -108,6 +109,10 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     said,
     problems,
     opened.element,
+    observedPanel(workspace, async (id, name) => {
+      await open(id, name)
+      await opened.refresh()
+    }),
   )
   function dropOn(whole: HTMLElement): void {
     for (const [name, over] of [

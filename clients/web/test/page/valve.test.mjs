@@ -138,6 +138,31 @@ test('what the valve does stands beside what was measured in hearts, until anoth
   await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
 })
 
+test('what images show narrows the range of the leak, and stays with the valve', async () => {
+  const range = async () => {
+    const headline = page.locator('[data-part=headline]', { hasText: /\(\d+ to \d+\)/ })
+    await headline.waitFor()
+    const [, low, high] = (await headline.textContent()).match(/\((\d+) to (\d+)\)/)
+    return high - low
+  }
+  const before = await range()
+  const panel = page.locator('[data-part=observed]')
+  await panel.locator('summary').click()
+  await panel.getByLabel('Widest gap', { exact: true }).fill('5')
+  await panel.getByRole('button', { name: 'Use these figures' }).click()
+  await panel.getByText('/observed/widest_gap_mm/sd').waitFor()
+  await panel.getByLabel('Standard deviation of the widest gap').fill('0.3')
+  const first = await page.evaluate(() => globalThis.coapt.state().valve.reference)
+  await panel.getByRole('button', { name: 'Use these figures' }).click()
+  await page.waitForFunction((valve) => globalThis.coapt.state().valve.reference !== valve, first)
+  assert.ok((await range()) < 0.8 * before)
+  assert.equal(await panel.getByLabel('Widest gap', { exact: true }).inputValue(), '5')
+  assert.deepEqual(await accessProblems(page), [])
+  await page.getByLabel('Preset').selectOption('human-functional-mr')
+  await page.waitForFunction(() => globalThis.coapt.state().valve.reference === 'human-functional-mr')
+  assert.equal(await panel.getByLabel('Widest gap', { exact: true }).inputValue(), '')
+})
+
 test('every colouring has a legend', async () => {
   for (const mode of ['strain_circumferential', 'strain_radial', 'height', 'tension']) {
     await page.getByRole('combobox', { name: 'Colours' }).selectOption(mode)
