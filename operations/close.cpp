@@ -23,11 +23,31 @@ constexpr std::ptrdiff_t kClosuresOfFinerMeshes = 100;
 constexpr int kMostDraws = 1000;
 constexpr int kFewestVertices = 6, kMostVertices = 100'000;  // of a mesh that refining makes
 
+/// How much time the leak is worth.
+enum class Certainty {
+  Quick,  ///< the mesh as given
+  Sure,   ///< and one of four times the triangles
+  Proof   ///< finer and finer ones until the leak settles
+};
+
+const char* to_string(Certainty certainty) {
+  switch (certainty) {
+    case Certainty::Quick:
+      return "quick";
+    case Certainty::Sure:
+      return "sure";
+    case Certainty::Proof:
+      return "proof";
+  }
+  return "";
+}
+
 struct CloseRequest {
   RepairRequest repair{};
   ClosureOptions closure{};
   std::optional<double> accuracy_mm2{};
   std::optional<MeshConvergenceOptions> converge{};
+  Certainty certainty = Certainty::Quick;
   bool open = false;
   int draws = 0;
 };
@@ -66,6 +86,13 @@ std::vector<JsonField> fields_of(CloseRequest& asked) {
                 [](const JsonPlace& place) { return read_number_in(place, kAnyError, " mm2"); }),
            false},
           {"converge", into(asked.converge, read_converge), false},
+          {"certainty",
+           into(asked.certainty,
+                [](const JsonPlace& place) {
+                  return read_name<Certainty>(
+                      place, {Certainty::Quick, Certainty::Sure, Certainty::Proof});
+                }),
+           false},
           {"open", into(asked.open, read_boolean), false},
           {"draws",
            into(asked.draws,
@@ -79,14 +106,16 @@ Errors contradictions(const CloseRequest& asked) {
   if (asked.accuracy_mm2 && asked.converge)
     problems.add(ErrorCode::Unsupported, "/converge",
                  "refines the mesh as accuracy_mm2 does: leave one of them out");
+  if (asked.certainty != Certainty::Quick && (asked.accuracy_mm2 || asked.converge))
+    problems.add(ErrorCode::Unsupported, "/certainty",
+                 "refines the mesh as accuracy_mm2 and converge do: leave the others out");
   if (asked.accuracy_mm2 && asked.closure.method != Method::Fast)
     problems.add(ErrorCode::Unsupported, "/accuracy_mm2",
                  "is known for method fast only; leave out method thesis");
   if (is_mitral(asked.repair.valve)) return std::move(problems).take();
-  for (const auto& [given, name] :
-       {std::pair(asked.accuracy_mm2.has_value(), "/accuracy_mm2"),
-        {asked.open, "/open"},
-        {asked.draws > 0, "/draws"}})
+  for (const auto& [given, name] : {std::pair(asked.accuracy_mm2.has_value(), "/accuracy_mm2"),
+                                    {asked.open, "/open"},
+                                    {asked.draws > 0, "/draws"}})
     if (given)
       problems.add(ErrorCode::Unsupported, name,
                    "needs a mitral valve (coapt.valve/1); this is coapt.valve/2");
@@ -178,6 +207,8 @@ Expected<OperationTask> read_close(const Json& request, const Context& context) 
   // The thesis takes the mean of several end states of a mitral valve.
   if (asked->closure.method == Method::Thesis && is_mitral(asked->repair.valve))
     asked->closure.samples = kThesisSamples;
+  if (asked->certainty != Certainty::Quick) asked->converge.emplace();
+  if (asked->certainty == Certainty::Sure) asked->converge->most_meshes = 2;
   const bool once = !asked->converge && !asked->accuracy_mm2;
   return task_of(asked,
                  (once ? 1 : kClosuresOfFinerMeshes) + draw_closures(asked->repair, asked->draws),

@@ -1,3 +1,4 @@
+#include <array>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -28,6 +29,8 @@
 namespace coapt {
 namespace {
 
+constexpr std::array<const char*, 3> kCertainties = {"quick", "sure", "proof"};
+
 struct CloseArguments {
   std::string valve, picture, closed;
   PlanOption plan;
@@ -37,6 +40,7 @@ struct CloseArguments {
   std::optional<double> accuracy_mm2;
   ConvergeOption converge;
   int draws = 0;
+  std::string certainty = kCertainties[0];
   bool json = false, open = false;
 };
 
@@ -52,6 +56,7 @@ void add_options(const CloseArguments& arguments, Json& request) {
     request["membrane"] = to_string(arguments.closure.membrane);
   if (arguments.accuracy_mm2) request["accuracy_mm2"] = *arguments.accuracy_mm2;
   if (arguments.converge.wanted) request["converge"] = converge_json(arguments.converge);
+  if (arguments.certainty != kCertainties[0]) request["certainty"] = arguments.certainty;
   if (arguments.open) request["open"] = true;
   if (arguments.draws > 0) request["draws"] = arguments.draws;
 }
@@ -132,6 +137,14 @@ void add_close(Command parent, int& status) {
   add_plan_option(command, arguments->plan);
   add_method_option(command, arguments->closure.method);
   add_membrane_option(command, arguments->closure.membrane);
+  std::map<std::string, std::string> certainties;
+  for (const char* name : kCertainties) certainties[name] = name;
+  command
+      .add_choice("--certainty", arguments->certainty, certainties,
+                  "How much time the leak is worth: quick (default), the mesh as given; sure, also "
+                  "four times the triangles; proof, finer and finer meshes until the leak settles, "
+                  "as --converge does")
+      .show_argument("WORD");
   add_converge_option(command, arguments->converge);
   add_material_option(command, arguments->material);
   command
@@ -166,7 +179,7 @@ void add_close(Command parent, int& status) {
       "  coapt close human-functional-mr --plan examples/plans/ring.json --open\n"
       "  coapt close human-normal --pressure 60 --radial-extension 0.08\n"
       "  coapt close valve.json --accuracy 1\n"
-      "  coapt close human-functional-mr --converge\n"
+      "  coapt close human-functional-mr --certainty proof\n"
       "  coapt close seen.json --draws 64\n"
       "  coapt close trivalve.json --closed closed.ply\n"
       "  coapt close valve.json --plan examples/plans/ring.json --json\n"

@@ -135,6 +135,8 @@ void print_convergence(std::ostream& out, const Json& convergence) {
   const double share = number_of(convergence["within_share"]);
   row(out, "finer meshes")
       << (stop == "settled" ? "the leak stands"
+          : stop == "most_meshes"
+              ? "the leak has not settled on two meshes; --certainty proof goes on"
           : stop == "not_closed"
               ? "the last closure is not to be trusted; before it the leak did not stand"
               : "the leak does not stand yet: the next mesh has too many vertices")

@@ -39,6 +39,8 @@ const char* to_string(MeshStop stop) {
   switch (stop) {
     case MeshStop::Settled:
       return "settled";
+    case MeshStop::MostMeshes:
+      return "most_meshes";
     case MeshStop::VertexLimit:
       return "vertex_limit";
     case MeshStop::NotClosed:
@@ -90,6 +92,10 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
     }
     if (settled(level, options)) {
       result.stop = MeshStop::Settled;
+      break;
+    }
+    if (std::ssize(result.levels) >= options.most_meshes) {
+      result.stop = MeshStop::MostMeshes;
       break;
     }
     std::optional<ClosedValve> finer =

@@ -23,6 +23,7 @@ struct MeshConvergenceOptions {
   double within_mm2 = 0.5;     ///< [0, inf)
   double within_share = 0.05;  ///< of the leak, [0, 1]
   int most_vertices = 10000;   ///< of a refined mesh; the given one is closed in any case
+  int most_meshes = std::numeric_limits<int>::max();  ///< at least 1
 };
 
 /// Of one mesh.
@@ -37,6 +38,7 @@ struct MeshLevel {
 
 enum class MeshStop {
   Settled,      ///< the leak stands
+  MostMeshes,   ///< no more meshes were asked for
   VertexLimit,  ///< the next mesh would have more vertices than allowed, or validate() refuses it
   NotClosed,    ///< a closure did not converge uncrossed, or was ended by its budget
 };

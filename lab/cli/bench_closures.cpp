@@ -48,6 +48,11 @@ void print(std::ostream& out, const ClosureStudy& study, const ClosureStudyOptio
     out << study.not_predicted
         << " could not be predicted; besides, the seven closures around each: "
         << study.frames_per_second_per_core << " scenes a second and core\n";
+  if (options.library > 0)
+    out << study.not_predicted
+        << " started from the nearest of the library, because the mean of it crossed; the "
+           "libraries took "
+        << study.library_seconds << " s of a core\n";
   if (!options.accuracy) return;
   out << "Distance from their own end state (residual 1e-6): rms median " << quantile(rms, 0.5)
       << ", 90 % below " << quantile(rms, 0.9) << " mm; leak 90 % below " << quantile(leak, 0.9)
@@ -93,6 +98,27 @@ Expected<std::vector<Valve>> read_valves(const BenchArguments& arguments) {
   return std::vector<Valve>{*valve};
 }
 
+/// One way to start, and of method fast.
+Errors check_start(const ClosureStudyOptions& options) {
+  ProblemList problems;
+  const char* first = nullptr;
+  for (const auto& [name, given] : {std::pair("warm", options.warm),
+                                    {"predicted", options.predicted},
+                                    {"library", options.library > 0}}) {
+    if (!given) continue;
+    const std::string path = std::string("/") + name;
+    if (options.closure.method != Method::Fast)
+      problems.add(ErrorCode::Unsupported, path,
+                   "is for method fast only; leave out --method thesis");
+    if (first != nullptr)
+      problems.add(ErrorCode::Unsupported, path,
+                   std::string("is another start than --") + first + "; leave out one of them");
+    else
+      first = name;
+  }
+  return std::move(problems).take();
+}
+
 int run(const BenchArguments& arguments) {
   const Expected<std::vector<Valve>> valves = read_valves(arguments);
   if (!valves) return report_errors(arguments.valve, valves.errors());
@@ -100,18 +126,8 @@ int run(const BenchArguments& arguments) {
   options.accuracy = !arguments.no_accuracy;
   const auto accuracy = apply_accuracy(arguments.accuracy_mm2, options.closure);
   if (!accuracy) return report_option_errors("bench closures", accuracy.errors());
-  if (options.warm && options.closure.method != Method::Fast)
-    return report_option_errors(
-        "bench closures",
-        {{ErrorCode::Unsupported, "/warm", "is for method fast only; leave out --method thesis"}});
-  if (options.predicted && options.closure.method != Method::Fast)
-    return report_option_errors("bench closures",
-                                {{ErrorCode::Unsupported, "/predicted",
-                                  "is for method fast only; leave out --method thesis"}});
-  if (options.predicted && options.warm)
-    return report_option_errors("bench closures",
-                                {{ErrorCode::Unsupported, "/predicted",
-                                  "is another start than --warm; leave out one of them"}});
+  if (const Errors errors = check_start(options); !errors.empty())
+    return report_option_errors("bench closures", errors);
   const ClosureStudy study = [&] {
     const ProgressBar bar;
     return study_closures(*valves, options,
@@ -166,17 +182,24 @@ void add_bench_closures(Command parent, int& status) {
   command.add_flag("--predicted", study.predicted,
                    "Start each closure from what seven around it, tips within 1 mm, let expect; "
                    "these are timed by themselves; compared with a cold start");
+  command
+      .add_option("--library", study.library,
+                  "Start each closure from so many other closed variations of its valve, 40 for "
+                  "instance, which are timed by themselves; compared with a cold start. 0: no")
+      .check(number_from(0, 1000))
+      .show_default();
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
       "Variations: AP dilation 0 to 30 %, annular height 80 to 120 %, tips displaced by up to\n"
       "6 mm, rings and papillary sutures on 40 % each. Times are the processor's, of whole\n"
-      "closures from the open state (with --warm and --predicted: from neighbours, of a\n"
+      "closures from the open state (with --warm, --predicted and --library: from others, of a\n"
       "prepared valve), further attempts and crossing tests included. Exit code 3 if a closure\n"
       "did not converge or leaflets cross.\n\n"
       "Examples:\n"
       "  coapt-lab bench closures human-normal --count 200\n"
       "  coapt-lab bench closures human-normal --count 200 --warm\n"
       "  coapt-lab bench closures human-normal --count 200 --predicted\n"
+      "  coapt-lab bench closures human-normal --count 200 --library 40\n"
       "  coapt-lab bench closures presets --count 300\n"
       "  coapt-lab bench closures anatomies --count 100 --seed 7\n"
       "  coapt-lab bench closures porcine-1 --count 20 --method thesis --json");

@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <mutex>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "core/closure/predicted_start.h"
 #include "core/closure/prepared_valve.h"
 #include "core/metrics/measure.h"
 #include "core/metrics/quantile.h"
+#include "lab/closures/closure_library.h"
 #include "lab/closures/processor_time.h"
 #include "lab/closures/varied_scenes.h"
 #include "search/evaluator.h"
@@ -36,11 +39,38 @@ std::optional<ClosureResult> start_within(const Valve& scene, const SceneFrame& 
   return predicted_start(scene.faces, parts);
 }
 
-SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options, int index) {
+constexpr std::uint64_t kOtherScenes = 1u << 20;  // apart from those of the study
+
+struct TimedLibrary {
+  ClosureLibrary library;
+  double seconds = 0.0;
+};
+
+TimedLibrary library_of(const Valve& valve, const ClosureStudyOptions& options) {
+  std::vector<Valve> scenes;
+  for (int i = 0; i < options.library; ++i)
+    scenes.push_back(varied_scene(valve, options.seed + kOtherScenes, i));
+  std::vector<ClosureResult> closures(scenes.size());
+  std::vector<double> seconds(scenes.size(), 0.0);
+  for_each_index(options.library, options.threads, [&](int i) {
+    const double before = processor_seconds();
+    closures[i] = close_valve(scenes[i], options.closure);
+    seconds[i] = processor_seconds() - before;
+  });
+  return {ClosureLibrary(scenes, std::move(closures)),
+          std::accumulate(seconds.begin(), seconds.end(), 0.0)};
+}
+
+bool starts_from_others(const ClosureStudyOptions& options) {
+  return options.warm || options.predicted || options.library > 0;
+}
+
+SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
+                         const ClosureLibrary& library, int index) {
   SceneOutcome outcome;
   // Who closes neighbours has prepared their valve (searches, studies); cold closures prepare it.
   std::optional<PreparedValve> prepared;
-  if (options.warm || options.predicted) prepared.emplace(scene, options.closure);
+  if (starts_from_others(options)) prepared.emplace(scene, options.closure);
   std::optional<ClosureResult> neighbour;
   SceneFrame frame;
   std::vector<ClosureResult> around;
@@ -58,6 +88,11 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
     outcome.predicted = neighbour.has_value();
     if (!neighbour) neighbour = around[0];
   }
+  if (options.library > 0) {
+    auto [closure, is_nearest] = library.start_of(scene);
+    neighbour = std::move(closure);
+    outcome.predicted = !is_nearest;
+  }
   const ClosureResult* from = neighbour ? &*neighbour : nullptr;
   const ClosureResult closed = prepared ? close_valve(*prepared, scene, options.closure, from)
                                         : close_valve(scene, options.closure);
@@ -69,7 +104,7 @@ SceneOutcome close_scene(const Valve& scene, const ClosureStudyOptions& options,
   if (!options.accuracy || !trusted(closed)) return outcome;
   ClosureOptions to_end = to_the_end(options.closure);
   const ClosureResult end = close_valve(scene, to_end, from);
-  if (!options.warm && !options.predicted) to_end.speed *= kOtherSpeed;
+  if (!starts_from_others(options)) to_end.speed *= kOtherSpeed;
   const ClosureResult other = close_valve(scene, to_end);
   outcome.compared = trusted(end) && trusted(other);
   if (!outcome.compared) return outcome;
@@ -100,12 +135,15 @@ ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudy
                             const std::function<void(int)>& progress) {
   ClosureStudy study;
   study.scenes.resize(static_cast<std::size_t>(options.count));
+  std::vector<TimedLibrary> libraries;
+  for (const Valve& valve : valves) libraries.push_back(library_of(valve, options));
+  for (const TimedLibrary& library : libraries) study.library_seconds += library.seconds;
   std::mutex mutex;
   int done = 0;
   for_each_index(options.count, options.threads, [&](int i) {
-    study.scenes[static_cast<std::size_t>(i)] = close_scene(
-        varied_scene(valves[static_cast<std::size_t>(i) % valves.size()], options.seed, i), options,
-        i);
+    const std::size_t of = static_cast<std::size_t>(i) % valves.size();
+    study.scenes[static_cast<std::size_t>(i)] =
+        close_scene(varied_scene(valves[of], options.seed, i), options, libraries[of].library, i);
     const std::lock_guard<std::mutex> lock(mutex);
     if (progress) progress(++done);
   });
@@ -116,7 +154,7 @@ ClosureStudy study_closures(const std::vector<Valve>& valves, const ClosureStudy
     steps.push_back(scene.steps);
     seconds += scene.seconds;
     frame_seconds += scene.frame_seconds;
-    study.not_predicted += options.predicted && !scene.predicted;
+    study.not_predicted += (options.predicted || options.library > 0) && !scene.predicted;
     study.unconverged += scene.status != ClosureStatus::Converged;
     study.crossed += scene.crossing;
     study.retried += scene.attempts > 1;

@@ -21,6 +21,7 @@ struct ClosureStudyOptions {
   bool accuracy = true;    ///< also close each scene to the end, and once more on another way
   bool warm = false;       ///< close each scene from the closure of a neighbour (neighbour_of)
   bool predicted = false;  ///< or from what those around it let expect (frame_of)
+  int library = 0;  ///< or from so many other scenes of its valve (closure_library.h); 0: not
 };
 
 /// Distances over the leaflet vertices.
@@ -38,7 +39,8 @@ struct SceneOutcome {
   double seconds = 0.0;
   /// Predicted: of the closures that it was predicted from, one from the open state, six from that.
   double frame_seconds = 0.0;
-  bool predicted = false;   ///< else from the frame's middle: the frame or the prediction failed
+  /// Else from the frame's middle, or the library's nearest: the frame or the prediction failed.
+  bool predicted = false;
   bool compared = false;    ///< the closures compared with have converged uncrossed, too
   ClosureError from_end;    ///< from the same closure carried on to residual 1e-6 in double
   ClosureError from_other;  ///< of that end from the end of a closure at half the speed; warm and
@@ -57,6 +59,7 @@ struct ClosureStudy {
   double median_steps = 0.0;
   int not_predicted = 0;                    ///< of all scenes; 0 where none was to be
   double frames_per_second_per_core = 0.0;  ///< 0 without
+  double library_seconds = 0.0;             ///< processor time of all libraries' closures
 };
 
 /// The end of such a closure: to residual 1e-6 and 1e-4 mm of predicted way.

@@ -43,6 +43,7 @@ Json to_json(const ClosureStudyOptions& options, const ClosureStudy& study) {
                {"seed", options.seed},
                {"warm", options.warm},
                {"predicted", options.predicted},
+               {"library", options.library},
                {"closures_per_second_per_core", study.closures_per_second_per_core},
                {"median_ms", study.median_ms},
                {"p90_ms", study.p90_ms},
@@ -53,6 +54,10 @@ Json to_json(const ClosureStudyOptions& options, const ClosureStudy& study) {
   if (options.predicted) {
     json["not_predicted"] = study.not_predicted;
     json["frames_per_second_per_core"] = study.frames_per_second_per_core;
+  }
+  if (options.library > 0) {
+    json["not_predicted"] = study.not_predicted;
+    json["library_seconds"] = study.library_seconds;
   }
   Json accuracy = nullptr, others = nullptr, equilibria = nullptr;
   if (options.accuracy) {

@@ -56,6 +56,22 @@ TEST(ClosureStudy, CountsClosuresNearTheirOwnEnd) {
   }
 }
 
+TEST(ClosureStudy, FromALibraryIsTheSameForAnyNumberOfThreadsAndTakesFewerSteps) {
+  const Valve valve = *make_preset("human-functional-mr", 300);
+  ClosureStudyOptions options;
+  options.count = 6;
+  options.accuracy = false;
+  const ClosureStudy cold = study_closures({valve}, options);
+  options.library = 12;
+  options.threads = 1;
+  const ClosureStudy one = study_closures({valve}, options);
+  options.threads = 2;
+  const ClosureStudy two = study_closures({valve}, options);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(one.scenes[i].steps, two.scenes[i].steps);
+  EXPECT_LT(one.median_steps, cold.median_steps);
+  EXPECT_EQ(one.unconverged + one.crossed, 0);
+}
+
 TEST(ClosureStudy, OfWarmStartsTakesFewerStepsAndSaysHowFarFromAColdOne) {
   ClosureStudyOptions options;
   options.count = 8;

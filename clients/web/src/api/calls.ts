@@ -32,6 +32,11 @@ export function close(valve: string, plan: Plan | null, signal?: AbortSignal): P
   return postJson('/v1/closures', { valve, ...(plan ? { plan } : {}) }, signal)
 }
 
+/// The same on finer and finer meshes, until the leak settles.
+export function proveLeak(valve: string, signal: AbortSignal): Promise<Closure> {
+  return postJson('/v1/closures', { valve, certainty: 'proof' }, signal)
+}
+
 /// The same valve in diastole. `frames`: states of the opening, at most.
 export function openValve(valve: string, plan: Plan | null, frames: number): Promise<Opening> {
   return postJson('/v1/openings', { valve, frames, ...(plan ? { plan } : {}) })

@@ -17,6 +17,7 @@ import { headline } from './headline'
 import { heartsPanel } from './hearts'
 import { importStage } from './import_stage'
 import { Looks } from './looks'
+import { makeSure } from './make_sure'
 import { measures } from './measures'
 import { openPanel } from './open'
 import { sectionInset } from './section_inset'
@@ -72,7 +73,14 @@ export class ValveView implements View {
         'div',
         { class: parts.side },
         opening.element,
-        h('section', { class: parts.panel }, h('h2', {}, 'Measured'), this.diastole.element, this.measures),
+        h(
+          'section',
+          { class: parts.panel },
+          h('h2', {}, 'Measured'),
+          this.diastole.element,
+          this.measures,
+          makeSure(workspace),
+        ),
         this.looks.element,
         storyList(),
         HAS_SERVICE && heartsPanel(workspace), // last: its table is long

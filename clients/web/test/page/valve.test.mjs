@@ -163,6 +163,12 @@ test('what images show narrows the range of the leak, and stays with the valve',
   assert.equal(await panel.getByLabel('Widest gap', { exact: true }).inputValue(), '')
 })
 
+test('finer meshes make the leak sure, as the service says', async () => {
+  const panel = page.locator('[data-part=make-sure]')
+  await panel.getByRole('button', { name: 'Make sure' }).click()
+  await panel.getByText(/^The leak is [\d., and]+ mm² on 648(,| and) .* triangles/).waitFor({ timeout: 120000 })
+})
+
 test('every colouring has a legend', async () => {
   for (const mode of ['strain_circumferential', 'strain_radial', 'height', 'tension']) {
     await page.getByRole('combobox', { name: 'Colours' }).selectOption(mode)

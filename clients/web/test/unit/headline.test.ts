@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest'
 import type { Information, Measure } from '../../src/api/types'
 import { leakWords, narrowing, widerTissue } from '../../src/valve/headline'
+import { sureWords } from '../../src/valve/make_sure'
 
 const leaking = (area_mm2: number, error_mm2: number) =>
   ({ leak_mm2: area_mm2, leak: { area_mm2, error_mm2, openings: [] } }) as unknown as Measure
@@ -27,4 +28,12 @@ test('what narrows the range is named where it tells much', () => {
   expect(narrowing(drawn([33, 95]))).toBe('To narrow it, measure first: widest gap to 0.5 mm.')
   expect(narrowing(drawn([33, 95], 0.1))).toBe('')
   expect(narrowing(null)).toBe('')
+})
+
+test('finer meshes say each leak, its time and whether it has settled', () => {
+  const level = (triangles: number, leak_mm2: number, seconds: number) => ({ triangles, leak_mm2, seconds })
+  const levels = [level(648, 58.12, 0.1), level(2592, 57.64, 1.42)]
+  expect(sureWords({ levels, stop: 'settled' } as unknown as Parameters<typeof sureWords>[0])).toBe(
+    'The leak is 58.1 and 57.6 mm² on 648 and 2,592 triangles (0.1 and 1.4 s). It has settled.',
+  )
 })
