@@ -10,6 +10,7 @@
 #include "io/json/model_study_json.h"
 #include "io/json/opening_json.h"
 #include "io/json/result_json.h"
+#include "operations/certainty.h"
 #include "operations/model_draws.h"
 #include "operations/stopwatch.h"
 #include "operations/table.h"
@@ -20,27 +21,8 @@ namespace {
 
 // Meshes of four and sixteen times the triangles take some ten and a hundred times as long.
 constexpr std::ptrdiff_t kClosuresOfFinerMeshes = 100;
-constexpr int kMostDraws = 1000;
+constexpr int kMostTissueDraws = 1000;
 constexpr int kFewestVertices = 6, kMostVertices = 100'000;  // of a mesh that refining makes
-
-/// How much time the leak is worth.
-enum class Certainty {
-  Quick,  ///< the mesh as given
-  Sure,   ///< and one of four times the triangles
-  Proof   ///< finer and finer ones until the leak settles
-};
-
-const char* to_string(Certainty certainty) {
-  switch (certainty) {
-    case Certainty::Quick:
-      return "quick";
-    case Certainty::Sure:
-      return "sure";
-    case Certainty::Proof:
-      return "proof";
-  }
-  return "";
-}
 
 struct CloseRequest {
   RepairRequest repair{};
@@ -96,7 +78,7 @@ std::vector<JsonField> fields_of(CloseRequest& asked) {
           {"open", into(asked.open, read_boolean), false},
           {"draws",
            into(asked.draws,
-                [](const JsonPlace& place) { return read_integer_in(place, 0, kMostDraws); }),
+                [](const JsonPlace& place) { return read_integer_in(place, 0, kMostTissueDraws); }),
            false}};
 }
 

@@ -1,4 +1,3 @@
-#include <array>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -25,11 +24,10 @@
 #include "io/mesh/write_mesh.h"
 #include "io/picture/opening_picture.h"
 #include "io/picture/picture.h"
+#include "operations/certainty.h"
 
 namespace coapt {
 namespace {
-
-constexpr std::array<const char*, 3> kCertainties = {"quick", "sure", "proof"};
 
 struct CloseArguments {
   std::string valve, picture, closed;
@@ -40,7 +38,7 @@ struct CloseArguments {
   std::optional<double> accuracy_mm2;
   ConvergeOption converge;
   int draws = 0;
-  std::string certainty = kCertainties[0];
+  Certainty certainty = Certainty::Quick;
   bool json = false, open = false;
 };
 
@@ -56,7 +54,8 @@ void add_options(const CloseArguments& arguments, Json& request) {
     request["membrane"] = to_string(arguments.closure.membrane);
   if (arguments.accuracy_mm2) request["accuracy_mm2"] = *arguments.accuracy_mm2;
   if (arguments.converge.wanted) request["converge"] = converge_json(arguments.converge);
-  if (arguments.certainty != kCertainties[0]) request["certainty"] = arguments.certainty;
+  if (arguments.certainty != Certainty::Quick)
+    request["certainty"] = to_string(arguments.certainty);
   if (arguments.open) request["open"] = true;
   if (arguments.draws > 0) request["draws"] = arguments.draws;
 }
@@ -137,8 +136,9 @@ void add_close(Command parent, int& status) {
   add_plan_option(command, arguments->plan);
   add_method_option(command, arguments->closure.method);
   add_membrane_option(command, arguments->closure.membrane);
-  std::map<std::string, std::string> certainties;
-  for (const char* name : kCertainties) certainties[name] = name;
+  std::map<std::string, Certainty> certainties;
+  for (const Certainty word : {Certainty::Quick, Certainty::Sure, Certainty::Proof})
+    certainties[to_string(word)] = word;
   command
       .add_choice("--certainty", arguments->certainty, certainties,
                   "How much time the leak is worth: quick (default), the mesh as given; sure, also "
