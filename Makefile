@@ -5,7 +5,7 @@ FUZZ_LIMIT := -runs=100000
 FUZZ = $(FUZZ_LIMIT) -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
-PYTHON := $(shell find clients/python cmake docs examples lab tests -name "*.py")
+PYTHON := $(shell find clients/python clients/slicer cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
 
 NEED_PYTHON := command -v python3 >/dev/null || cmake/install_packages.sh test
@@ -146,6 +146,7 @@ build/npm/index.js: $(WEB)/node_modules $(NPM_SOURCES) $(ENGINE) | programs type
 npm-test: npm  ## the package, packed and installed into an empty project: in Node.js and Chromium, against coapt
 	@cmake/install_packages.sh browser
 	node --test --test-reporter=spec $(WEB)/test/npm/package.test.mjs
+	/usr/bin/python3 tests/slicer/test_node.py build/npm
 
 deb: wasm static  ## Debian packages of the last commit, with their source, in build/deb
 	@cmake/install_packages.sh build docs deb

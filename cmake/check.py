@@ -43,8 +43,19 @@ class Phase:
 
 def stages(units):
     """The check of a change. `units`: folders of unit tests that it may break (units_of)."""
-    scripts = ("tests/e2e", "tests/python", "tests/farm", "tests/kept", "tests/packages", "clients/python", "examples")
+    scripts = (
+        "tests/e2e",
+        "tests/python",
+        "tests/farm",
+        "tests/kept",
+        "tests/packages",
+        "tests/slicer",
+        "clients/python",
+        "clients/slicer",
+        "examples",
+    )
     page = ("clients/web", "tests/openapi")
+    node = ("clients/slicer/Coapt/CoaptLib/module.mjs", "tests/slicer/test_node.py")
     return (
         ([Phase("packages", "check-packages", always=True)],),
         (
@@ -63,7 +74,7 @@ def stages(units):
                     paths=BUILD + ("tests/readers", "examples/farm"),
                 ),
                 Phase("page", "web-test", rooms=("server",), paths=BUILD + page),
-                Phase("static", "static-test npm-test", rooms=("clients/engine",), paths=BUILD + page),
+                Phase("static", "static-test npm-test", rooms=("clients/engine",), paths=BUILD + page + node),
                 Phase("live", "live-test", rooms=("clients/live",), paths=BUILD),
                 Phase("scripts", "scripts-test", rooms=PRODUCT, paths=BUILD + scripts),
                 # They hold what documents show, and nothing of the engine that no other test holds.
@@ -119,7 +130,7 @@ def units_of(files, rooms):
     if files is None or any(name.startswith((*BUILD, "tests/scenes")) for name in files):
         return "all"
     folders = {str(at.parent.relative_to("tests")) for at in pathlib.Path("tests").rglob("CMakeLists.txt")}
-    folders -= {".", "lab", "fuzz", "scenes", "e2e", "python", "packages"}
+    folders -= {".", "lab", "fuzz", "scenes", "e2e", "python", "slicer", "packages"}
     changed = {folder for folder in folders for name in files if name.startswith(f"tests/{folder}/")}
     of_rooms = {folder for folder in folders if any(f"{room}/".startswith(f"{folder}/") for room in rooms)}
     return " ".join(sorted(changed | of_rooms)) or "none"
