@@ -3,7 +3,7 @@ BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ_LIMIT := -runs=100000
 FUZZ = $(FUZZ_LIMIT) -seed=1 -dict=tests/fuzz/json.dict
-SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
+SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp examples/gallery/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python clients/slicer cmake docs examples lab tests -name "*.py")
 BLACK := black --line-length 120
@@ -21,7 +21,7 @@ ENGINE := build/wasm/bin/coapt-engine.wasm
 PLANNER := build/wasm/bin/coapt-planner.wasm
 ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test gallery figures-check fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -232,20 +232,31 @@ sources-check:  ## fail if a source that has changed, or includes what has, forg
 	@cmake --preset sources >/dev/null
 	cmake/check_sources.py build/sources $(SINCE)
 
-# Notebooks are run anew only if they have changed: rm -r build/docs-parts runs all.
-docs: configure  ## the documentation as one site, build/docs/index.html: guides, notebooks, references of Python, C++, HTTP and commands
+# Notebooks and the gallery are run anew only if they have changed: rm -r build/docs-parts runs all.
+docs: programs  ## the documentation as one site, build/docs/index.html: guides, gallery, notebooks, references of Python, C++, HTTP and commands
 	@cmake/install_packages.sh test site
-	cmake --build --preset release --target coapt_python
+	cmake --build --preset release --target coapt_python libcoapt
 	@mkdir -p build/docs-parts
 	cmake -D OUTPUT=build/docs-parts/openapi.json -P server/openapi.cmake
 	doxygen docs/site/Doxyfile
 	PYTHONPATH=clients/python:build/release/python docs/site/run_notebooks.py build/docs-parts/notebooks
-	docs/site/gather.py build/docs-source build/docs-parts/headers build/docs-parts/openapi.json build/docs-parts/notebooks
+	examples/gallery/run.py --changed build/docs-parts/gallery
+	docs/site/gather.py build/docs-source build/docs-parts/headers build/docs-parts/openapi.json build/docs-parts/notebooks build/docs-parts/gallery
 	/usr/bin/python3 -m sphinx -q -W --keep-going -j auto -c docs/site -d build/docs-parts/read build/docs-source build/docs
 	docs/site/check_site.py build/docs
 
-docs-check:  ## fail if a link or make target in the documents leads nowhere, the README is too long, or the pages of the site are made wrongly
+gallery: programs  ## run all scripts of examples/gallery; their pictures lie in build/docs-parts/gallery
+	@cmake/install_packages.sh test site
+	cmake --build --preset release --target coapt_python libcoapt
+	examples/gallery/run.py build/docs-parts/gallery
+
+figures-check: programs  ## fail as docs-check does, or if today's program makes another table of closures or openings than docs/figures has
 	@tests/docs/check_documents.py
+	@tests/docs/check_figures.py --anew $(BIN)/coapt
+
+docs-check:  ## fail if a link, file or make target in the documents is dead, a table differs from its file, or the site's pages are made wrongly
+	@tests/docs/check_documents.py
+	@tests/docs/check_figures.py
 	@tests/docs/check_versions.py
 	@tests/docs/test_site.py --quiet
 

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """Gathers the sources of the documentation site: the repository's Markdown, and pages made of headers, manual pages, the
-OpenAPI document and notebooks.
+OpenAPI document, notebooks and the gallery.
 
-Usage: docs/site/gather.py TARGET XML OPENAPI NOTEBOOKS
+Usage: docs/site/gather.py TARGET XML OPENAPI NOTEBOOKS GALLERY
 
 TARGET    folder of the sources, written
 XML       Doxygen's, of the headers of core and search
 OPENAPI   the document that stands alone
 NOTEBOOKS folder of the notebooks that were run (run_notebooks.py)
+GALLERY   folder of what its scripts drew and printed (examples/gallery/run.py)
 """
 
 import json
@@ -15,6 +16,7 @@ import pathlib
 import re
 import sys
 
+from gallery_pages import gallery_pages
 from header_pages import header_pages
 from manual_pages import manual_page
 from notebook_pages import notebook_page
@@ -46,6 +48,7 @@ def every_page(listed):
     project = [page for _, pages in readings for page in pages if page.startswith("project/")]
     parts = [("coapt", ["overview.md", "documents.md"])]
     parts += [(caption, [page for page in pages if page not in project]) for caption, pages in readings]
+    parts += [("Gallery", ["gallery/index"])]
     parts += [("Notebooks", [f"notebooks/{name}" for name in ("index", *NOTEBOOKS)])]
     parts += [("Reference", [f"reference/{name}/index" for name in ("python", "commands", "rest", "cpp")])]
     parts += [("Project", [*project, "project/changelog.md"])]
@@ -64,7 +67,7 @@ def listing(title, words, pages):
 
 
 def main():
-    target, xml, openapi, notebooks = sys.argv[1:]
+    target, xml, openapi, notebooks, gallery = sys.argv[1:]
     gathering, listed = Gathering(target), list(readers())
     for page, more in (("index", every_page(listed)), ("notebooks", "")):
         path = f"docs/site/{page}.md"
@@ -93,6 +96,8 @@ def main():
         source = f"clients/python/notebooks/{name}.ipynb"
         gathering.write(source, (ROOT / source).read_bytes())
         gathering.write(here, page.replace("\n\n", f"\n\n[The notebook]({relative(source, here)})\n\n", 1))
+    for name, content in gallery_pages(gallery).items():
+        gathering.write(f"gallery/{name}", content)
     gathering.finish()
 
 

@@ -23,6 +23,7 @@ _PLACES = {
     "docs/site/notebooks.md": "notebooks/index.md",
     "docs/man": "reference/commands/index.md",
     "clients/python/notebooks": "notebooks/index.md",
+    "examples/gallery": "gallery/index.md",
     "core": "reference/cpp/index.md",
     "server/openapi.json": "reference/rest/index.md",
 }

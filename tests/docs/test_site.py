@@ -12,6 +12,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs/site"))
 
+import gallery_pages  # noqa: E402
 from manual_pages import manual_page  # noqa: E402
 from notebook_pages import notebook_page  # noqa: E402
 from pages import Gathering, anchor, place  # noqa: E402
@@ -125,6 +126,33 @@ class NotebookPages(unittest.TestCase):
             "![What the cell shows](a-1.png)\n",
         )
         self.assertEqual(pictures, {"a-1.png": b"\x89PNG"})
+
+
+class GalleryPages(unittest.TestCase):
+    def test_every_folder_is_a_group_and_every_script_says_what_it_shows(self):
+        folders = {file.parent.name for file in (ROOT / "examples/gallery").glob("*/*")} - {"__pycache__"}
+        self.assertEqual(folders, {folder for folder, _ in gallery_pages.groups()})
+        for folder in folders:
+            for script in gallery_pages.scripts(folder):
+                self.assertRegex(gallery_pages.sentence(script), r"^[A-Z].{30,160}\.$", script)
+                self.assertLessEqual(len(script.read_text(encoding="utf-8").splitlines()), 42, script)
+
+    def test_a_page_has_picture_source_and_what_is_printed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, _ in gallery_pages.groups():
+                place = pathlib.Path(folder) / name
+                place.mkdir()
+                for script in gallery_pages.scripts(name):
+                    (place / f"{script.stem}.svg").write_text("<svg/>")
+                    (place / f"{script.stem}.txt").write_text("leak 1 mm²\n")
+            pages = gallery_pages.gallery_pages(folder)
+        page = pages["leak/compare_shapes.md"]
+        self.assertTrue(page.startswith("# Compare shapes\n\nMeasures how far"))
+        self.assertIn("![Compare shapes](compare_shapes.svg)", page)
+        self.assertIn("\n```bash\n# Measures how far", page)
+        self.assertIn("```text\nleak 1 mm²\n```", page)
+        self.assertIn("[Compare shapes](leak/compare_shapes.md)", pages["index.md"])
+        self.assertEqual(pages["leak/compare_shapes.svg"], b"<svg/>")
 
 
 if __name__ == "__main__":
