@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Fails if a relative link or an anchor in a Markdown file of the repository leads nowhere, if one names a make target
-that does not exist, or if the README is too long.
+"""Fails if a relative link or an anchor in a Markdown file of the repository leads nowhere, if one names a make target, a
+script or an example that does not exist, or if the README is too long.
 
 Usage: tests/docs/check_documents.py
 """
@@ -11,12 +11,14 @@ import sys
 import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-MOST_README_LINES = 150
+MOST_README_LINES = 60
 FENCE = re.compile(r"^\s*```.*?^\s*```\s*$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"!?\[[^\]]*\]\(([^()\s]+)\)")
 CODE = re.compile(r"`([^`]+)`")
 MAKE = re.compile(r"(?:^|[;&|] *)make ((?:[a-z][a-z0-9-]*)(?: [a-z][a-z0-9-]*)*)", re.MULTILINE)
 TARGET = re.compile(r"^([a-z][a-z0-9-]*):", re.MULTILINE)
+# A file or folder of these is named in full; a pattern may stand for several.
+NAMED = re.compile(r"(?<![\w./*-])(?:docs|examples|lab|tests|cmake)/[\w./*-]*[\w/*]")
 HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*$", re.MULTILINE)
 
 
@@ -69,6 +71,13 @@ def missing_targets(source, targets):
     return sorted(named - targets)
 
 
+def missing_files(source):
+    """Scripts, examples and other files that code names by their path from the root."""
+    text = source.read_text(encoding="utf-8")
+    code = "\n".join(FENCE.findall(text) + CODE.findall(prose(source)))
+    return sorted(name for name in set(NAMED.findall(code)) if not any(ROOT.glob(name.rstrip("/"))))
+
+
 def main():
     wrong = []
     targets = set(TARGET.findall((ROOT / "Makefile").read_text(encoding="utf-8")))
@@ -76,6 +85,8 @@ def main():
         wrong += [
             f"{source.relative_to(ROOT)}: make {name}: no such target" for name in missing_targets(source, targets)
         ]
+        if source.name != "CHANGELOG.md" and not source.match("docs/experiments.md"):  # they name what was
+            wrong += [f"{source.relative_to(ROOT)}: {name}: no such file" for name in missing_files(source)]
         for target in LINK.findall(prose(source)):
             if reason := problem(source, target):
                 wrong.append(f"{source.relative_to(ROOT)}: {target}: {reason}")

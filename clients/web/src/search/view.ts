@@ -84,7 +84,7 @@ function empty(valve: HTMLElement): HTMLElement {
         'p',
         {},
         HAS_SERVICE
-          ? 'With the defaults a search takes about half a minute on two cores. It continues while you work elsewhere, even ' +
+          ? 'With the defaults a search takes about a minute on two cores. It continues while you work elsewhere, even ' +
               'when this page is closed.'
           : 'The search runs in this browser and takes some minutes with the defaults. It continues while you work elsewhere ' +
               'in this page, and ends when the page is closed.',

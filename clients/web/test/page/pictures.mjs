@@ -1,10 +1,13 @@
-// Pictures of each view for docs/images: `node pictures.mjs FOLDER`.
+// Pictures of each view for docs/images: `node pictures.mjs FOLDER`. page.json beside them says of which version they are. report.png is
+// the first page of out/report.html, where make demo has written it.
+import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { openView, PATIENCE_MS, ROOT, startBrowser, startService } from './page.mjs'
 
 const folder = process.argv[2] ?? '.'
 const service = await startService()
 const browser = await startBrowser()
+const pictures = []
 
 async function picture(name, view, options, prepare) {
   const { page } = await openView(browser, service.url, view, options)
@@ -13,6 +16,7 @@ async function picture(name, view, options, prepare) {
   await page.waitForTimeout(1500)
   await page.screenshot({ path: join(folder, `page-${name}.png`) })
   await page.close()
+  pictures.push(`page-${name}.png`)
   console.log(name)
 }
 
@@ -84,6 +88,17 @@ await picture('import', 'valve', {}, async (page) => {
   await page.locator('[data-part=import-result] img').first().waitFor()
   await panel.evaluate((element) => element.scrollIntoView())
 })
+
+const report = join(ROOT, 'out/report.html')
+if (existsSync(report)) {
+  const page = await browser.newPage({ viewport: { width: 1078, height: 1524 } })
+  await page.goto(`file://${report}`)
+  await page.screenshot({ path: join(folder, 'report.png') })
+  console.log('report')
+}
+
+const { version } = await (await fetch(`${service.url}/version`)).json()
+writeFileSync(join(folder, 'page.json'), `${JSON.stringify({ version, pictures }, null, 2)}\n`)
 
 await browser.close()
 await service.stop()
