@@ -87,7 +87,7 @@ class Space:
     size of a ring where there is none. Vectors between the points of the lattice are rounded to it, sizes that a ring is not
     made in to the nearest.
 
-    It is the problem of pygmo (fitness, get_bounds, get_nix, batch_fitness), the function of scipy (a call, Bounds(*get_bounds()))
+    It is the problem of pygmo (fitness, get_bounds, get_nix, batch_fitness), the function of scipy (a call, ``Bounds(*get_bounds())``)
     and of OpenTURNS (PythonFunction(len(space.names), 1, space.fitness, func_sample=space.batch_fitness)) at once.
 
     >>> space = coapt.preset("human-functional-mr").space()
