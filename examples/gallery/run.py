@@ -35,6 +35,10 @@ def scripts():
     return sorted(path for path in GALLERY.glob("*/*") if path.suffix in KINDS)
 
 
+def asks_a_service(script):
+    return "COAPT_SERVER" in script.read_text()
+
+
 def surroundings():
     """The environment in which a reader who has built coapt runs a script."""
     found = dict(os.environ, MATPLOTLIBRC=str(GALLERY / "matplotlibrc"))
@@ -130,13 +134,15 @@ def main():
     if arguments.changed:
         chosen = [script for script in chosen if not is_done(script, target)]
     environment, failed = surroundings(), []
+    environment.pop("COAPT_SERVER", None)  # else coapt runs there
+    served = environment
     with contextlib.ExitStack() as stack:
-        if any("COAPT_SERVER" in script.read_text() for script in chosen):
+        if any(asks_a_service(script) for script in chosen):
             folder = stack.enter_context(tempfile.TemporaryDirectory())
-            environment["COAPT_SERVER"] = stack.enter_context(service(folder, environment))
+            served = environment | {"COAPT_SERVER": stack.enter_context(service(folder, environment))}
         for script in chosen:
             name, begun = script.relative_to(GALLERY), time.monotonic()
-            wrong = run(script, target, environment)
+            wrong = run(script, target, served if asks_a_service(script) else environment)
             print(f"{time.monotonic() - begun:6.1f} s  {name}{': FAILED' if wrong else ''}", flush=True)
             if wrong:
                 failed.append(f"{name}: {wrong}")
