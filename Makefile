@@ -165,6 +165,9 @@ chart: lab  ## accuracy against time, where methods fail, what the model's ingre
 
 figures: programs lab  ## the tables behind the documents, into docs/figures
 	lab/closures/closures_table.py
+	lab/closures/diseases_table.py
+	lab/closures/refined_table.py
+	lab/closures/openings_table.py
 	lab/closures/membranes_table.py
 	lab/closures/model_table.py
 

@@ -133,7 +133,7 @@ def refined(rows):
 @repeats(ACCURACY, "| valve | leak as it is | mean | model ±", "figures/model.csv")
 def model_leaks(rows):
     def expected(cells):
-        row = next(one for one in rows if one["valve"] == cells[0] and one["area"] == "leak")
+        row = next(one for one in rows if one["valve"] == cells[0] and one.get("area", "leak") == "leak")
         names = ("as_it_is_mm2", "mean_mm2", "sd_mm2")
         last = {4: [row["p5_mm2"], row["p95_mm2"]], 5: [row["untrusted"], row["draws"]]}
         return dict(enumerate((row[name] for name in names), 1)) | last
@@ -143,7 +143,7 @@ def model_leaks(rows):
 
 @repeats(ACCURACY, "| parameter, factor of the valve's own value", "figures/model.csv")
 def model_shares(rows):
-    known = by((row for row in rows if row["area"] == "leak"), "valve", "parameter")
+    known = by((row for row in rows if row.get("area", "leak") == "leak"), "valve", "parameter")
     valves = ("human-functional-mr", "human-p2-prolapse", "human-normal")
 
     def expected(cells):
@@ -153,6 +153,18 @@ def model_shares(rows):
         limits = {0: [found[0]["lower"], found[0]["upper"]]}
         names = ("sobol_first", "sobol_total", "effect_mm2")
         return limits | {i: [row[name] for name in names] for i, row in enumerate(found, 2)}
+
+    return expected
+
+
+@repeats("docs/researcher/diseases.md", "| preset | from sources | assumed | leak |", "figures/diseases.csv")
+def diseases(rows):
+    known = by(rows, "valve")
+
+    def expected(cells):
+        row = known[(cells[0].split(",")[0].strip("`"),)]
+        leak = [row["leak_mm2"], row["leak_error_mm2"]][: 2 if "±" in cells[3] else 1]
+        return {3: leak, 4: row["coaptation_area_percent"], 5: row["tenting_height_mm"]}
 
     return expected
 
@@ -289,6 +301,68 @@ def trivalve(rows):
     return expected
 
 
+# Sentences with numbers of a file: where, a pattern whose groups are numbers, the file, and what they are.
+PROSE = (
+    (
+        "docs/researcher/studies.md",
+        r"Of (\d+) findings (\d+) agree",
+        "figures/porcine-thesis-findings.json",
+        lambda found: [len(found), sum(one["agrees"] for one in found)],
+    ),
+    (
+        "docs/ROADMAP.md",
+        r"The real valve leaks ([\d.]+) / ([\d.]+) / ([\d.]+) mm² at ([\d,]+) / ([\d,]+) / ([\d,]+) triangles",
+        "figures/closures.csv",
+        lambda rows: [row[name] for name in ("leak_mm2", "triangles") for row in real_valves(rows)],
+    ),
+    (
+        "README.md",
+        r"the valve above, which leaks (\d+) ± \d+ mm²",
+        "figures/closures.csv",
+        lambda rows: [by(rows, "valve", "method")["bodyparts3d-leaking", "fast"]["leak_mm2"]],
+    ),
+    (
+        "docs/experiments.md",
+        r"Against release 0.1 in one run .*: cold ([\d.]+) to ([\d.]+),",
+        "figures/releases.csv",
+        lambda rows: [limit(float(row["time"]) for row in rows if row["start"] == "cold") for limit in (min, max)],
+    ),
+    (
+        "docs/engineer/farm.md",
+        r"40 tasks of 1.8 s each \| ([\d.]+) %",
+        "figures/farm.csv",
+        lambda rows: [100 * float(next(row for row in rows if row["task_ms"] == "1800")["computing_share"])],
+    ),
+    (
+        "docs/engineer/farm.md",
+        r"1, 4, 16, 64, 128 workers \| ([\d.]+), ([\d.]+), ([\d.]+), ([\d.]+), ([\d.]+) %",
+        "figures/farm.csv",
+        lambda rows: [100 * float(row["computing_share"]) for row in rows if row["task_ms"] == "200"],
+    ),
+)
+
+
+def real_valves(rows):
+    known = by(rows, "valve", "method")
+    return [known[f"bodyparts3d{mesh}", "fast"] for mesh in ("", "-1400", "-2600")]
+
+
+def prose_problems():
+    wrong, compared = [], 0
+    for document, pattern, file, values in PROSE:
+        text = (ROOT / document).read_text(encoding="utf-8")
+        found = re.search(pattern, text)
+        if found is None:
+            wrong.append(f"{document}: nothing is like {pattern!r}, of {file}")
+            continue
+        line = text.count("\n", 0, found.start()) + 1
+        for printed, value in zip(found.groups(), values(rows_of(file)), strict=True):
+            compared += 1
+            if not agrees(printed, value):
+                wrong.append(f"{document}:{line}: prints {printed}, the file has {float(value):.6g} ({file})")
+    return wrong, compared
+
+
 def tables(text):
     """First line's number and rows of cells of each table."""
     lines, at = text.splitlines(), 0
@@ -392,7 +466,7 @@ def page_problems():
             yield f"{path}: docs/README.md does not list it"
 
 
-ANEW = {"closures.csv": "closures_table.py", "refined.csv": "refined_table.py", "openings.csv": "openings_table.py"}
+ANEW = {f"{name}.csv": f"{name}_table.py" for name in ("closures", "diseases", "refined", "openings")}
 
 
 def anew_problems(coapt):
@@ -418,11 +492,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--anew", metavar="COAPT", type=pathlib.Path)
     arguments = parser.parse_args()
-    wrong, compared = table_problems()
-    wrong += [*figure_problems(), *version_problems(), *page_problems()]
+    (wrong, compared), (others, more) = table_problems(), prose_problems()
+    wrong += [*others, *figure_problems(), *version_problems(), *page_problems()]
     if arguments.anew:
         wrong += anew_problems(arguments.anew.resolve())
-    print("\n".join([*wrong, f"{compared} numbers of {len(TABLES)} tables compared, {len(wrong)} problems"]))
+    print(
+        "\n".join(
+            [
+                *wrong,
+                f"{compared + more} numbers of {len(TABLES)} tables and {len(PROSE)} sentences compared, {len(wrong)} problems",
+            ]
+        )
+    )
     return bool(wrong)
 
 
