@@ -4,6 +4,8 @@ import pathlib
 import re
 import sys
 
+from pygments.lexers.special import TextLexer
+
 sys.path[:0] = [str(pathlib.Path(__file__).parent), str(pathlib.Path(__file__).parents[2] / "clients/python")]
 from pages import NOTICE, ROOT  # noqa: E402
 
@@ -62,4 +64,6 @@ def signature_of(app, what, name, thing, options, signature, returned):
 
 
 def setup(app):
+    for name in ("arrows", "libraries"):  # lists of ARCHITECTURE.md that make includes-check reads
+        app.add_lexer(name, TextLexer)
     app.connect("autodoc-process-signature", signature_of)

@@ -14,4 +14,4 @@ for name, ax in zip(NAMES.split(), axes.flat):
     ax.set_title(f"{name}\n{closure.measure.leak_mm2:.0f} mm²", fontsize=10)
     ax.set(xlim=(-21, 21), ylim=(-21, 17))
     ax.axis("off")
-figure.savefig("eight_diseases.png")
+figure.savefig("eight_diseases.png", bbox_inches="tight")
