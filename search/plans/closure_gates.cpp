@@ -72,7 +72,7 @@ Gate chordal_tension(const Evaluation& repaired, const Evaluation& before) {
 }
 
 /// Of the valve alone: what else matters, the septum, is not in the model.
-Gate systolic_anterior_motion(const Evaluation& repaired) {
+Gate systolic_anterior_motion(const Evaluation& repaired, bool tethered) {
   constexpr const char* kRule = "systolic_anterior_motion";
   constexpr const char* kSource =
       "risk after repair of degenerative valves: Maslow 1999, Popa 2013 (J Cardiothorac Surg 8:O2)";
@@ -81,11 +81,18 @@ Gate systolic_anterior_motion(const Evaluation& repaired) {
   if (!std::isfinite(ratio))
     return {kRule, GateSeverity::NotAssessed, "leaflets do not touch in the middle", kSource};
   const bool low = ratio < kLowLeafletRatio;
+  const std::string figure = "anterior over posterior leaflet, annulus to coaptation: " +
+                             with_decimals(measure.anterior_length_mm, 0) + " / " +
+                             with_decimals(measure.posterior_length_mm, 0) +
+                             " mm = " + with_decimals(ratio, 1) + ", ";
+  if (tethered)
+    return {kRule, GateSeverity::NotAssessed,
+            figure +
+                "is a sign of degenerative valves; here the papillary muscles tether the "
+                "leaflets, which draws them away from the septum",
+            kSource};
   return {kRule, low ? GateSeverity::Warn : GateSeverity::Pass,
-          "anterior over posterior leaflet, annulus to coaptation: " +
-              with_decimals(measure.anterior_length_mm, 0) + " / " +
-              with_decimals(measure.posterior_length_mm, 0) + " mm = " + with_decimals(ratio, 1) +
-              ", " + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
+          figure + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
               ", a static sign of risk; the other, less than 25 mm from coaptation to septum, "
               "is not in the model",
           kSource};
@@ -100,13 +107,14 @@ Gate regurgitation_grade(const ValveMeasure& measure) {
 
 }  // namespace
 
-std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before) {
+std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before,
+                                bool tethered) {
   std::vector<Gate> gates = {convergence(repaired),
                              crossing(repaired),
                              contact(repaired.measure),
                              coaptation_height(repaired),
                              chordal_tension(repaired, before),
-                             systolic_anterior_motion(repaired),
+                             systolic_anterior_motion(repaired, tethered),
                              regurgitation_grade(repaired.measure)};
   if (!trusted(repaired))
     for (std::size_t i = 2; i < gates.size(); ++i) {

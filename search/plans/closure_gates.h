@@ -11,6 +11,8 @@ namespace coapt {
 /// Of how the repaired valve closes as planned: "convergence", "crossing", "contact",
 /// "coaptation_height", "chordal_tension", "systolic_anterior_motion", "regurgitation_grade". Always these, in this order;
 /// figures of a closure that is not to be trusted are not assessed.
-std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before);
+/// @param tethered the valve's leaflets are tethered and none prolapses: signs of systolic anterior motion were not found on such valves
+std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& before,
+                                bool tethered = false);
 
 }  // namespace coapt

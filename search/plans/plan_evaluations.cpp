@@ -365,8 +365,13 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
     if (const std::optional<Durability> lasts = durability(plan))
       all.amounts += durability_terms(*lasts).amounts;
   OperationMerits merits = operation_of(plan);
-  merits.avoidable_warnings += plan.closures.at(0).leaflet_ratio < kLowLeafletRatio;
+  merits.avoidable_warnings += !tethered_ && plan.closures.at(0).leaflet_ratio < kLowLeafletRatio;
   return coapt::guide(all, mild, merits);
+}
+
+void PlanEvaluations::tell(const Diagnosis& diagnosis) {
+  tethered_ = diagnosis.type_sure && may_be(diagnosis, CarpentierType::IIIb) &&
+              !may_be(diagnosis, CarpentierType::II);
 }
 
 double PlanEvaluations::movement_guide() const {

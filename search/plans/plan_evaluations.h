@@ -81,6 +81,10 @@ class PlanEvaluations {
   /// The unrepaired valve, closed at once.
   const Evaluation& before() const { return before_.evaluation; }
   const ClosedPlan& closed_before() const { return before_; }
+  /// Why the valve leaks; before plans are compared.
+  void tell(const Diagnosis& diagnosis);
+  /// Its leaflets are tethered, for sure, and none prolapses.
+  bool tethered() const { return tethered_; }
   const CostContext& context() const { return context_; }
   const Valve& valve() const { return valve_; }
   int threads() const { return options_.threads; }
@@ -169,6 +173,7 @@ class PlanEvaluations {
   PlanEvaluationOptions options_;
   SearchMonitor& monitor_;
   ClosedPlan before_;
+  bool tethered_ = false;
   CostContext context_;
 
   Mutex mutex_;

@@ -30,7 +30,7 @@ PlanEvaluationOptions evaluation_options(const SearchOptions& options,
 }
 
 /// The valve as it is, and why it leaks.
-void tell_before(const PlanEvaluations& evaluations, SearchResult& result) {
+void tell_before(PlanEvaluations& evaluations, SearchResult& result) {
   const Valve& valve = evaluations.valve();
   const ClosedPlan before = with_leak_surface(valve, evaluations.closed_before());
   result.before = before.evaluation;
@@ -38,6 +38,7 @@ void tell_before(const PlanEvaluations& evaluations, SearchResult& result) {
   result.closed_before = closed_valve(valve, before);
   if (result.closed_before)
     result.diagnosis = diagnose(valve, result.closed_before->closure, before.evaluation.measure);
+  if (result.diagnosis) evaluations.tell(*result.diagnosis);
 }
 
 /// What all evaluations and the ranked plans add to a result.

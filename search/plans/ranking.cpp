@@ -68,7 +68,8 @@ std::vector<Gate> gates_of(const PlanEvaluations& evaluations, const PlanRecord&
                            const Valve& repaired, const Evaluation& closed) {
   std::vector<Gate> gates = operation_gates({record.plan, evaluations.valve(), repaired});
   for (const std::vector<Gate>& more :
-       {opening_gates(record.opening), closure_gates(closed, evaluations.before()),
+       {opening_gates(record.opening),
+        closure_gates(closed, evaluations.before(), evaluations.tethered()),
         strength_gates(record)})
     gates.insert(gates.end(), more.begin(), more.end());
   return gates;

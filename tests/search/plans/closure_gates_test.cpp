@@ -40,6 +40,7 @@ TEST(ClosureGates, ALongPosteriorLeafletIsASignOfSystolicAnteriorMotion) {
   expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Pass, "20 / 10 mm = 2.0");
   repaired.measure.posterior_length_mm = 16.0;
   expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Warn, "below 1.3");
+  expect_gate(closure_gates(repaired, quiet(), true), kRule, GateSeverity::NotAssessed, "tether");
   repaired.measure.posterior_length_mm = std::numeric_limits<double>::quiet_NaN();
   expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::NotAssessed, "do not touch");
 }
