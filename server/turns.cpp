@@ -5,7 +5,7 @@ namespace {
 
 // What takes about a second on one core: a closure of so many vertices, or so many of the presets' size.
 constexpr Index kShortVertices = 1000;
-constexpr std::ptrdiff_t kShortClosures = 8;
+constexpr std::ptrdiff_t kShortClosures = 24;
 
 }  // namespace
 

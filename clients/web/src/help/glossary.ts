@@ -21,7 +21,7 @@ export const GLOSSARY = {
   finer:
     'The valve is closed again on meshes of four and sixteen times the triangles, until the leak changes by less than 0.5 mm² or 5 %. Each mesh takes some ten times as long as the one before.',
   tissue:
-    'The valve was closed 24 times with tissue and chordae as stiff, as long and as thick as their sources leave open, weighed by what was observed of it. Nine of ten of these closures leak between the two areas.',
+    'The valve was closed many times with tissue and chordae as stiff, as long and as thick as their sources leave open, weighed by what was observed of it. Nine of ten of these closures leak between the two areas.',
   margin: 'By how much a suture or a ring may be off before the valve leaks more than 1 mm².',
   cost: 'A price in mm² of leak, by which the search climbs and by which plans are ranked if you move the sliders: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation, too much tension, a gradient in diastole above 3 mmHg and further disease that the repair does not outlast; the closure as planned counts as on the finer mesh. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
   durability:

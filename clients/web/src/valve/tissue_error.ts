@@ -4,7 +4,7 @@ import { valueInformation } from '../api/calls'
 import type { Information, Plan, Scene } from '../api/types'
 
 const REST_MS = 600
-const DRAWS = 24
+const CLOSURES = 24 // a second of one core: a service lets these go first
 
 export class TissueError {
   private scene: Scene | null = null // whose error is known or asked for
@@ -34,7 +34,8 @@ export class TissueError {
   /// A valve that is too large for it keeps its numerical error.
   private async ask(reference: string, plan: Plan | null): Promise<void> {
     const { signal } = this.abort
-    const found = await valueInformation(reference, plan, DRAWS, signal).catch(() => null)
+    const draws = plan ? CLOSURES / 2 : CLOSURES // with a plan the valve before it is closed, too
+    const found = await valueInformation(reference, plan, draws, signal).catch(() => null)
     if (signal.aborted || !found) return
     this.found = found
     this.onFound()

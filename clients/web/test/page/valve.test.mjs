@@ -150,7 +150,7 @@ test('what images show narrows the range of the leak, and stays with the valve',
   await panel.locator('summary').click()
   await panel.getByLabel('Widest gap', { exact: true }).fill('5')
   await panel.getByRole('button', { name: 'Use these figures' }).click()
-  await panel.getByText('/observed/widest_gap_mm/sd').waitFor()
+  await panel.getByText('Observed, widest gap, sd:').waitFor()
   await panel.getByLabel('Standard deviation of the widest gap').fill('0.3')
   const first = await page.evaluate(() => globalThis.coapt.state().valve.reference)
   await panel.getByRole('button', { name: 'Use these figures' }).click()
