@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kStoppingShare = 0.7;  // the other parts of the error have as much, squared
 
-Error too_small(double error_mm2, double least_mm2, const std::string& what_keeps_it) {
+Error too_small(double error_mm2, double least_mm2, const std::string& limit) {
   return {ErrorCode::OutOfRange, "/accuracy",
           "is " + shown(error_mm2) + ", must be at least " + significant(least_mm2, 2) + " mm2, " +
-              what_keeps_it};
+              limit};
 }
 
 /// Of the leak of `closed` on the finest mesh with at most `most_vertices`, which refining quadruples.
@@ -35,7 +35,7 @@ Expected<AccurateClosure> close_within(const Valve& valve, double error_mm2,
   if (!tier)
     return too_small(error_mm2,
                      error_of(accuracy_tiers().back(), options.membrane).p99_mm2 / kStoppingShare,
-                     "what the tightest tolerances leave to the mesh");
+                     "the mesh error that remains with the tightest tolerances");
   const ClosureOptions tolerances = at_tier(options, *tier);
   AccurateClosure accurate{close_and_measure(valve, tolerances), *tier, 0};
   ClosedValve& closed = accurate.closed;
@@ -44,10 +44,10 @@ Expected<AccurateClosure> close_within(const Valve& valve, double error_mm2,
     std::optional<ClosedValve> finer;
     if (least_mm2 <= error_mm2) finer = close_refined(closed, tolerances, most_vertices);
     if (!finer)
-      return too_small(error_mm2, least_mm2,
-                       "what the finest mesh of at most " + std::to_string(most_vertices) +
-                           " vertices keeps of this leak of " +
-                           with_decimals(closed.measure.leak.area_mm2, 1) + " mm2");
+      return too_small(
+          error_mm2, least_mm2,
+          "the error of this leak of " + with_decimals(closed.measure.leak.area_mm2, 1) +
+              " mm2 on the finest mesh of at most " + std::to_string(most_vertices) + " vertices");
     closed = *std::move(finer);
     ++accurate.refinements;
   }

@@ -30,16 +30,16 @@ std::vector<SegmentDiagnosis> of_finding(const std::vector<SegmentDiagnosis>& se
   return found;
 }
 
-/// "its edge stands up to 4 mm above the annulus over 14 mm of its length".
+/// "its edge rises up to 4 mm above the annulus over 14 mm of its length".
 std::string height_of(const SegmentDiagnosis& segment, bool is_alone) {
   const std::string edge =
       is_alone ? "its edge" : std::string("the edge of ") + to_string(segment.segment);
   const std::string width =
       segment.width_mm >= 1.0 ? " over " + in_mm(segment.width_mm) + " of its length" : "";
   if (segment.highest_mm >= 0.5)
-    return edge + " stands up to " + in_mm(segment.highest_mm) + " above the annulus" + width;
-  return edge + " lies " + in_mm(std::max(0.0, segment.override_mm)) +
-         " too high above the opposite leaflet" + width;
+    return edge + " rises up to " + in_mm(segment.highest_mm) + " above the annulus" + width;
+  return edge + " overrides the opposite leaflet by " + in_mm(std::max(0.0, segment.override_mm)) +
+         " more than normal" + width;
 }
 
 std::string of_excess(const Diagnosis& diagnosis) {
@@ -61,23 +61,22 @@ std::string of_excess(const Diagnosis& diagnosis) {
 std::string of_tethering(const Diagnosis& diagnosis) {
   const auto away = [&](int side) { return with_decimals(diagnosis.tip_to_trigone_mm[side], 0); };
   const std::string depth = diagnosis.tenting_height_mm >= 0.5
-                                ? ", and leaflets meet or end " +
+                                ? ", and the leaflets coapt or end " +
                                       in_mm(diagnosis.tenting_height_mm) + " below the annulus"
                                 : "";
   if (!diagnosis.tethered_side)
-    return "both papillary muscles tether the leaflets: their tips are " + away(0) + " and " +
+    return "both papillary muscles tether the leaflets: the tips lie " + away(0) + " and " +
            away(1) + " mm from their trigones" + depth;
   const int side = *diagnosis.tethered_side == Side::Anterolateral ? 0 : 1;
   return std::string("the ") + to_string(*diagnosis.tethered_side) +
-         " papillary muscle tethers the leaflets: its tip is " + away(side) +
-         " mm from its trigone, the other one's " + away(1 - side) + " mm" + depth;
+         " papillary muscle tethers the leaflets: its tip lies " + away(side) +
+         " mm from its trigone, that of the other muscle " + away(1 - side) + " mm" + depth;
 }
 
 std::string of_annulus(const Diagnosis& diagnosis) {
-  return "the annulus is too wide for its leaflets: " + with_decimals(diagnosis.ap_mm, 0) + " x " +
-         in_mm(diagnosis.transverse_mm) + ", " +
-         with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
-         " times as deep as wide, where health has 0.75";
+  return "the annulus is too wide for the leaflets: " + with_decimals(diagnosis.ap_mm, 0) + " x " +
+         in_mm(diagnosis.transverse_mm) + ", a ratio of " +
+         with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) + " instead of 0.75";
 }
 
 std::string reason(const Diagnosis& diagnosis, CarpentierType type) {
@@ -115,7 +114,7 @@ std::string sentence_of(const Diagnosis& diagnosis) {
   if (diagnosis.not_ruled_out)
     text += std::string(" Type ") + to_string(*diagnosis.not_ruled_out) + " is not ruled out.";
   if (!diagnosis.competent_sure)
-    text += " The leak is too near " + shown(kMildLeak_mm2) +
+    text += " The leak is too close to " + shown(kMildLeak_mm2) +
             " mm² to tell whether the valve is competent.";
   return text;
 }

@@ -31,11 +31,12 @@ const TierError& error_of(const AccuracyTier& tier, Membrane membrane) {
 Expected<AccuracyTier> choose_tier(double leak_mm2, Membrane membrane) {
   for (const AccuracyTier& tier : accuracy_tiers())
     if (error_of(tier, membrane).p99_mm2 <= leak_mm2) return tier;
-  return Error{ErrorCode::OutOfRange, "/accuracy",
-               "is " + shown(leak_mm2) + ", must be at least " +
-                   shown(error_of(accuracy_tiers().back(), membrane).p99_mm2) +
-                   " mm2, what the tightest tolerances keep in 99 of 100 scenes with membrane " +
-                   to_string(membrane)};
+  return Error{
+      ErrorCode::OutOfRange, "/accuracy",
+      "is " + shown(leak_mm2) + ", must be at least " +
+          shown(error_of(accuracy_tiers().back(), membrane).p99_mm2) +
+          " mm2, the error of the tightest tolerances in 99 of 100 test cases with membrane " +
+          to_string(membrane)};
 }
 
 ClosureOptions at_tier(ClosureOptions options, const AccuracyTier& tier) {

@@ -9,13 +9,13 @@ std::string doubt_about(const ClosureResult& closure) {
     case ClosureStatus::Converged:
       break;
     case ClosureStatus::StepLimit:
-      rest = "not at rest";
+      rest = "not converged";
       break;
     case ClosureStatus::Diverged:
-      return "NOT TO BE TRUSTED: the closure flew apart";
+      return "UNRELIABLE: the closure diverged";
   }
   const char* crossing = closure.crossing ? "leaflets cross" : "";
-  return std::string("NOT TO BE TRUSTED: ") + rest + (*rest && *crossing ? ", " : "") + crossing;
+  return std::string("UNRELIABLE: ") + rest + (*rest && *crossing ? ", " : "") + crossing;
 }
 
 }  // namespace coapt

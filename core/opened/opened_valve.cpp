@@ -100,17 +100,17 @@ std::vector<std::string> opening_warnings(const OpenedValve& opened) {
   std::vector<std::string> warnings;
   const OpeningMeasure& measure = opened.measure;
   if (measure.tied_n > kMostTied_n)
-    warnings.push_back("ties bear " + with_decimals(measure.tied_n, 1) +
+    warnings.push_back("the edge-to-edge ties carry " + with_decimals(measure.tied_n, 1) +
                        " N in diastole, more than " + shown(kMostTied_n) +
-                       ": the leaflets do not reach each other");
+                       ", because the leaflets are too far apart");
   const double size = size_of(opened.valve), area_mm2 = measure.annulus_area_mm2;
   const Range healthy{size * kHealthyAnnulus_mm2.min, size * kHealthyAnnulus_mm2.max};
   if (opened.valve.systole == SystolicMotion{} &&
       !(area_mm2 >= healthy.min && area_mm2 <= healthy.max))
-    warnings.push_back("annulus of " + with_decimals(0.01 * area_mm2, 1) + " cm2 in diastole, " +
-                       with_decimals(0.01 * healthy.min, 1) + " to " +
-                       with_decimals(0.01 * healthy.max, 1) +
-                       " in health: dilated, or its contraction (systole) is not health's");
+    warnings.push_back(
+        "annulus of " + with_decimals(0.01 * area_mm2, 1) + " cm2 in diastole, " +
+        with_decimals(0.01 * healthy.min, 1) + " to " + with_decimals(0.01 * healthy.max, 1) +
+        " in healthy valves: it is dilated, or its contraction (systole) is abnormal");
   return warnings;
 }
 

@@ -54,13 +54,12 @@ Expected<Valve> taut_when_closed(const Valve& valve, const ClosureBudget& budget
   const ClosureResult closed = close_valve(valve, to_rest);
   if (closed.unfinished)
     return Error{ErrorCode::OutOfRange, "",
-                 "the closure takes more than " + shown(budget.vertex_steps) +
-                     " steps times vertices, and chordae have their lengths from it; a coarser "
-                     "mesh takes fewer"};
+                 "the closure that determines chordal lengths takes more than " +
+                     shown(budget.vertex_steps) + " steps times vertices; use a coarser mesh"};
   if (!trusted(closed))
     return Error{ErrorCode::BadGeometry, "",
-                 "does not close without leaflets passing through each other: lengths of chordae "
-                 "cannot be taken from it"};
+                 "its leaflets cross when it closes, so chordal lengths cannot be determined from "
+                 "its closed state"};
   return tauten(valve, closed, 1.0);
 }
 

@@ -1,5 +1,8 @@
 #include "core/repair/describe.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/number_text.h"
@@ -69,6 +72,20 @@ std::string words(const Valve& valve, const ChordalTransfer& step) {
   return "transfer chorda " + step.chorda + " to " + place(valve, step.insertion);
 }
 
+/// "the annulus, 30 % of the way from the anterolateral commissure to mid-posterior".
+std::string annulus_place(double around) {
+  static constexpr std::array kLandmarks = {"the posteromedial commissure", "the saddle peak",
+                                            "the anterolateral commissure", "mid-posterior"};
+  const double quarters = 4.0 * std::clamp(around, 0.0, 1.0);
+  const std::size_t from = std::min<std::size_t>(static_cast<std::size_t>(quarters), 3);
+  const int percent = static_cast<int>(100.0 * (quarters - static_cast<double>(from)) + 0.5);
+  const std::size_t to = (from + 1) % kLandmarks.size();
+  if (percent == 0) return std::string("the annulus at ") + kLandmarks[from];
+  if (percent == 100) return std::string("the annulus at ") + kLandmarks[to];
+  return "the annulus, " + std::to_string(percent) + " % of the way from " + kLandmarks[from] +
+         " to " + kLandmarks[to];
+}
+
 std::string words(const Valve&, const PapillaryApproximation& step) {
   std::string anchor;
   switch (step.anchor) {
@@ -79,8 +96,7 @@ std::string words(const Valve&, const PapillaryApproximation& step) {
       anchor = "the saddle peak";
       break;
     case Anchor::AnnulusPoint:
-      anchor = "the annulus at " + shown(step.annulus_around) +
-               " turns from the posteromedial commissure, over the saddle peak";
+      anchor = annulus_place(step.annulus_around);
       break;
   }
   return std::string("papillary approximation: ") + to_string(step.side) + " muscle to " + anchor +
@@ -103,7 +119,7 @@ std::string words(const Valve& valve, const EdgeToEdge& step) {
                            place(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
                            place(valve, {Leaflet::Posterior, step.along, 1.0});
   if (step.device == EdgeDevice::Stitch) return tied;
-  return tied + ", " + shown(step.grasp_mm) + " mm of each leaflet grasped, annulus drawn in by " +
+  return tied + ", " + shown(step.grasp_mm) + " mm of each leaflet grasped, annulus reduced by " +
          shown(step.annulus_drawn_in_percent) + " %";
 }
 

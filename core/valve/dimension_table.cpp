@@ -86,85 +86,103 @@ const std::vector<Dimension>& dimension_table() {
   using T = Tissue;
   constexpr Range kSlack = {0.6, 2.0}, kInclination = {-45.0, 45.0}, kTakenShare = {0.0, 0.6};
   static const std::vector<Dimension> table = {
-      number<&P::ap_mm>("ap_mm", "Annulus, anteroposterior", " mm", {8, 80}),
-      number<&P::al_pm_mm>("al_pm_mm", "Annulus, transverse", " mm", {8, 100}),
-      number<&P::saddle_height_mm>("saddle_height_mm",
-                                   "Annulus, height of the saddle (6.8 on 39 mm al-pm, in "
-                                   "proportion)",
-                                   " mm", {0, 20}),
-      number<&P::anterior_arc>("anterior_arc", "Anterior share of the annulus", "", {0.25, 0.5}),
-      number<&P::trigone_share>("trigone_share",
-                                "Trigones, share of the arc from saddle peak to commissure", "",
-                                {0.3, 1.0}),
+      number<&P::ap_mm>("ap_mm", "Anteroposterior diameter of the annulus", " mm", {8, 80}),
+      number<&P::al_pm_mm>("al_pm_mm", "Transverse diameter of the annulus", " mm", {8, 100}),
+      number<&P::saddle_height_mm>(
+          "saddle_height_mm",
+          "Saddle height of the annulus (default: 6.8 for 39 mm al-pm, in proportion)", " mm",
+          {0, 20}),
+      number<&P::anterior_arc>("anterior_arc", "Anterior fraction of the annulus", "", {0.25, 0.5}),
+      number<&P::trigone_share>(
+          "trigone_share",
+          "Position of the trigones, as a fraction of the arc from saddle peak to commissure", "",
+          {0.3, 1.0}),
       number<&P::anterior_height_mm>(
-          "anterior_height_mm", "Leaflet at A2 (23.5 on 29 mm ap, in proportion)", " mm", {4, 60}),
-      number<&P::posterior_height_mm>("posterior_height_mm",
-                                      "Leaflet at P2 (15.25 on 29 mm ap, in proportion)", " mm",
-                                      {3, 60}),
-      number<&P::lateral_height_mm>("lateral_height_mm",
-                                    "Leaflet at P1 and P3 (14.25 on 39 mm al-pm, in proportion)",
-                                    " mm", {3, 60}),
-      number<&P::commissure_height_mm>("commissure_height_mm",
-                                       "Leaflet at a commissure (9 on 39 mm al-pm, in "
-                                       "proportion)",
-                                       " mm", {2, 30}),
-      number<&P::asymmetry, &A::leaflet_height>(
-          "height_asymmetry",
-          "Heights at the commissures, share that is added medially and taken away laterally", "",
-          {-0.4, 0.4}),
-      number<&P::cleft_depth_mm>("cleft_depth_mm", "Between posterior scallops", " mm", {0, 10}),
+          "anterior_height_mm", "Leaflet height at A2 (default: 23.5 for 29 mm ap, in proportion)",
+          " mm", {4, 60}),
+      number<&P::posterior_height_mm>(
+          "posterior_height_mm",
+          "Leaflet height at P2 (default: 15.25 for 29 mm ap, in proportion)", " mm", {3, 60}),
+      number<&P::lateral_height_mm>(
+          "lateral_height_mm",
+          "Leaflet height at P1 and P3 (default: 14.25 for 39 mm al-pm, in proportion)", " mm",
+          {3, 60}),
+      number<&P::commissure_height_mm>(
+          "commissure_height_mm",
+          "Leaflet height at a commissure (default: 9 for 39 mm al-pm, in proportion)", " mm",
+          {2, 30}),
+      number<&P::asymmetry, &A::leaflet_height>("height_asymmetry",
+                                                "Fraction added to the leaflet height at the "
+                                                "medial commissure and removed at the lateral one",
+                                                "", {-0.4, 0.4}),
+      number<&P::cleft_depth_mm>("cleft_depth_mm", "Depth of the clefts between posterior scallops",
+                                 " mm", {0, 10}),
       number<&P::posterior_fold_mm>(
-          "posterior_fold_mm", "Folds between posterior scallops, at the free edge", " mm", {0, 6}),
-      number<&P::anterior_fold_mm>("anterior_fold_mm", "Likewise, beside A2", " mm", {0, 6}),
-      number<&P::anterior_inclination_deg>("anterior_inclination_deg",
-                                           "Anterior leaflet inwards from the vertical", " degrees",
-                                           kInclination),
-      number<&P::posterior_inclination_deg>("posterior_inclination_deg",
-                                            "Posterior leaflet likewise; negative: outwards",
-                                            " degrees", kInclination),
-      number<&P::tip_depth_mm>("tip_depth_mm", "Papillary tips below the annulus", " mm", {8, 60}),
-      number<&P::tip_spread_mm>("tip_spread_mm", "Between the tips, transverse", " mm", {4, 60}),
-      number<&P::tip_posterior_mm>("tip_posterior_mm", "Tips behind the centre", " mm", {-20, 20}),
+          "posterior_fold_mm", "Depth of the folds between posterior scallops at the free edge",
+          " mm", {0, 6}),
+      number<&P::anterior_fold_mm>("anterior_fold_mm",
+                                   "Depth of the folds beside A2 at the free edge", " mm", {0, 6}),
+      number<&P::anterior_inclination_deg>(
+          "anterior_inclination_deg",
+          "Inward inclination of the anterior leaflet from the vertical", " degrees", kInclination),
+      number<&P::posterior_inclination_deg>(
+          "posterior_inclination_deg",
+          "Inward inclination of the posterior leaflet from the vertical (negative: outward)",
+          " degrees", kInclination),
+      number<&P::tip_depth_mm>("tip_depth_mm", "Depth of the papillary tips below the annulus",
+                               " mm", {8, 60}),
+      number<&P::tip_spread_mm>("tip_spread_mm", "Transverse distance between the papillary tips",
+                                " mm", {4, 60}),
+      number<&P::tip_posterior_mm>(
+          "tip_posterior_mm", "Distance of the papillary tips behind the centre", " mm", {-20, 20}),
       tip_asymmetry<0>("tip_asymmetry_transverse_mm",
-                       "Both tips towards the posteromedial commissure"),
-      tip_asymmetry<1>("tip_asymmetry_posterior_mm",
-                       "Posteromedial tip backwards, the other one forwards"),
+                       "Displacement of both tips towards the posteromedial commissure"),
+      tip_asymmetry<1>(
+          "tip_asymmetry_posterior_mm",
+          "Displacement of the posteromedial tip backwards and of the other tip forwards"),
       tip_asymmetry<2>("tip_asymmetry_apical_mm",
-                       "Posteromedial tip apically, the other one towards the annulus"),
-      number<&P::slack, &S::anterior>("anterior_slack",
-                                      "Lengths of anterior marginal chordae over "
-                                      "their lengths in the closed valve",
-                                      "", kSlack),
-      number<&P::slack, &S::posterior>("posterior_slack", "Likewise, posterior marginal", "",
-                                       kSlack),
+                       "Displacement of the posteromedial tip apically and of the other tip "
+                       "towards the annulus"),
+      number<&P::slack, &S::anterior>(
+          "anterior_slack", "Length of anterior marginal chordae, relative to the closed valve", "",
+          kSlack),
+      number<&P::slack, &S::posterior>(
+          "posterior_slack", "Length of posterior marginal chordae, relative to the closed valve",
+          "", kSlack),
       number<&P::slack, &S::commissural>(
           "commissural_slack",
-          "Likewise, marginal at a commissure; loose ones let commissures fold in several ways", "",
-          kSlack),
-      number<&P::slack, &S::strut>("strut_slack", "Likewise, strut", "", kSlack),
-      number<&P::slack, &S::basal>("basal_slack", "Likewise, basal", "", kSlack),
+          "Length of marginal chordae at the commissures, relative to the closed valve; slack ones "
+          "let a commissure fold in several ways",
+          "", kSlack),
+      number<&P::slack, &S::strut>(
+          "strut_slack", "Length of strut chordae, relative to the closed valve", "", kSlack),
+      number<&P::slack, &S::basal>(
+          "basal_slack", "Length of basal chordae, relative to the closed valve", "", kSlack),
       number<&P::asymmetry, &A::slack>(
           "slack_asymmetry",
-          "Share of the lengths that is added posteromedially and taken away anterolaterally", "",
+          "Fraction added to posteromedial chordal lengths and removed from anterolateral ones", "",
           {-0.2, 0.2}),
-      number<&P::tissue, &T::thickness_mm>("thickness_mm", "Of the leaflets", " mm", {0.05, 10.0},
-                                           true),
+      number<&P::tissue, &T::thickness_mm>("thickness_mm", "Thickness of the leaflets", " mm",
+                                           {0.05, 10.0}, true),
       extension<1, &T::radial_transition, &T::radial_prestretch>(
           "radial_extension",
-          "Radial strain at which the leaflets of the unpressurised heart "
-          "become stiff"),
+          "Radial strain, from the unpressurised heart, at which the leaflets stiffen"),
       extension<0, &T::circumferential_transition, &T::circumferential_prestretch>(
-          "circumferential_extension", "Circumferential strain likewise"),
-      stiffness<&T::radial_post_kpa>("radial_stiffness", "Radial modulus beyond it, times 760 kPa"),
-      stiffness<&T::circumferential_post_kpa>("circumferential_stiffness",
-                                              "Circumferential modulus beyond it, times 2300 kPa"),
-      number<&P::pressure_mmhg>("pressure_mmhg", "Across the closed valve (120)", " mmHg",
-                                {1.0, 400.0}, true),
+          "circumferential_extension",
+          "Circumferential strain, from the unpressurised heart, at which the leaflets stiffen"),
+      stiffness<&T::radial_post_kpa>("radial_stiffness",
+                                     "Radial modulus beyond that strain, in units of 760 kPa"),
+      stiffness<&T::circumferential_post_kpa>(
+          "circumferential_stiffness",
+          "Circumferential modulus beyond that strain, in units of 2300 kPa"),
+      number<&P::pressure_mmhg>("pressure_mmhg", "Pressure across the closed valve (default: 120)",
+                                " mmHg", {1.0, 400.0}, true),
       number<&P::systole, &SystolicMotion::annular_contraction>(
-          "annular_contraction", "Share of the annulus's diastolic area that systole takes away",
+          "annular_contraction", "Systolic reduction of the diastolic annular area, as a fraction",
           "", kTakenShare),
       number<&P::systole, &SystolicMotion::tip_approach>(
-          "tip_approach", "Share of the tips' diastolic distance that systole takes away", "",
+          "tip_approach",
+          "Systolic reduction of the diastolic distance between the tips, as a fraction", "",
           kTakenShare)};
   return table;
 }

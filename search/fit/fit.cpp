@@ -33,8 +33,8 @@ using Clock = std::chrono::steady_clock;
 Errors check(const MeasuredClosure& measured, const FitProblem& problem, const Points& points_mm,
              const ClosedValve& before) {
   if (problem.parameters().empty())
-    return {
-        Error{ErrorCode::OutOfRange, "/unknowns", "is everything known: there is nothing to fit"}};
+    return {Error{ErrorCode::OutOfRange, "/unknowns",
+                  "excludes every parameter; nothing is left to fit"}};
   if (points_mm.rows() < kLeastPoints)
     return {Error{ErrorCode::OutOfRange, "/points_mm",
                   "has " + std::to_string(points_mm.rows()) + " points, must be at least " +
@@ -44,7 +44,7 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
                   "is " + shown(*measured.leak_mm2) + " mm2, must be from 0 to 2000 mm2"}};
   if (!trusted(before.closure))
     return {Error{ErrorCode::BadGeometry, "",
-                  "does not close without leaflets passing through each other: no distances"}};
+                  "its leaflets cross when it closes, so distances cannot be measured"}};
   std::vector<double> distances = problem.answer_of(before).distances_mm;
   for (double& distance : distances) distance = std::abs(distance);
   const auto middle = distances.begin() + std::ssize(distances) / 2;
@@ -52,8 +52,8 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
   if (*middle > kMostAway_mm)
     return {Error{ErrorCode::BadGeometry, "/points_mm",
                   "is " + with_decimals(*middle, 0) +
-                      " mm from the closed valve in the median, must be within 15 mm: is it in the "
-                      "same frame and in millimetres?"}};
+                      " mm from the closed valve (median), must be within 15 mm; check its frame "
+                      "and its unit of length"}};
   return {};
 }
 
@@ -100,14 +100,14 @@ std::vector<std::string> doubts_of(const ValveFit& fit) {
   std::vector<std::string> doubts;
   if (fit.rms_mm > kFarRms_mm)
     doubts.push_back(
-        "the valve could not be brought to the surface: " + with_decimals(fit.rms_mm, 2) +
-        " mm rms is more than " + with_decimals(kFarRms_mm, 0) + " mm");
+        "the fitted valve does not match the surface: " + with_decimals(fit.rms_mm, 2) +
+        " mm rms exceed " + with_decimals(kFarRms_mm, 0) + " mm");
   if (fit.rms_mm > kNearRms_mm &&
       fit.independent_points < static_cast<double>(fit.parameters.size()))
     doubts.push_back(
-        "the surface weighs as " + std::to_string(std::lround(fit.independent_points)) +
+        "the surface is equivalent to " + std::to_string(std::lround(fit.independent_points)) +
         " independent points, fewer than the " + std::to_string(fit.parameters.size()) +
-        " parameters: its distances are those of one broad bulge");
+        " parameters, because its distances vary together");
   return doubts;
 }
 
@@ -116,7 +116,7 @@ Expected<ValveFit> fit_valve(const Valve& valve, const MeasuredClosure& measured
   if (options.ruptures && is_mitral(valve)) return fit_with_ruptures(valve, measured, options);
   if (!(measured.points_mm.array().abs() <= kMostCoordinate_mm).all())
     return Error{ErrorCode::OutOfRange, "/points_mm",
-                 "has coordinates that are no numbers from -1e5 to 1e5 mm"};
+                 "has coordinates that are not numbers from -1e5 to 1e5 mm"};
   const Clock::time_point began = Clock::now();
   ValveFit fit;
   fit.points_mm = thinned(measured.points_mm, options.most_points);

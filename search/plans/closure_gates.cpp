@@ -19,14 +19,14 @@ Gate convergence(const Evaluation& repaired) {
   if (repaired.status == ClosureStatus::Converged && std::isfinite(repaired.measure.leak.area_mm2))
     return {"convergence", GateSeverity::Pass, "the closure converged", kValidity};
   return {"convergence", GateSeverity::Reject,
-          "the closure did not converge: do not trust its figures", kValidity};
+          "the closure did not converge; its results are unreliable", kValidity};
 }
 
 Gate crossing(const Evaluation& repaired) {
   if (!repaired.crossing)
-    return {"crossing", GateSeverity::Pass, "no leaflet passes through another", kValidity};
-  return {"crossing", GateSeverity::Reject,
-          "leaflets pass through each other: do not trust the figures", kValidity};
+    return {"crossing", GateSeverity::Pass, "the leaflets do not cross", kValidity};
+  return {"crossing", GateSeverity::Reject, "the leaflets cross; the results are unreliable",
+          kValidity};
 }
 
 Gate contact(const ValveMeasure& measure) {
@@ -35,10 +35,11 @@ Gate contact(const ValveMeasure& measure) {
                                    [](const CoaptationSection& s) { return !s.contact; });
   if (apart == 0)
     return {"contact", GateSeverity::Pass,
-            "leaflets touch at all " + std::to_string(sections.size()) + " sections", kPractice};
+            "the leaflets coapt in all " + std::to_string(sections.size()) + " sections",
+            kPractice};
   return {"contact", GateSeverity::Warn,
-          "leaflets do not touch at " + std::to_string(apart) + " of " +
-              std::to_string(sections.size()) + " sections (a projection can hide it)",
+          "the leaflets do not coapt in " + std::to_string(apart) + " of " +
+              std::to_string(sections.size()) + " sections (a projection can hide this)",
           kPractice};
 }
 
@@ -47,26 +48,26 @@ Gate coaptation_height(const Evaluation& repaired) {
   // To the tenth that is told: what reads as the aim has reached it.
   const double height = std::round(10.0 * plan_closure(repaired).coaptation_mm) / 10.0;
   const std::string figure =
-      "coaptation of A2 with P2 is " + with_decimals(height, 1) + " mm high, ";
+      "the coaptation height of A2 with P2 is " + with_decimals(height, 1) + " mm, ";
   const std::string aim =
-      "below the aim of " + shown(kCoaptationAim_mm) + " mm, whose evidence is weak";
+      "the target of " + shown(kCoaptationAim_mm) + " mm, which rests on weak evidence";
   if (height >= kCoaptationAim_mm - kGateRounding)
-    return {kRule, GateSeverity::Pass, figure + "not " + aim, kPractice};
-  return {kRule, GateSeverity::Warn, figure + aim, kPractice};
+    return {kRule, GateSeverity::Pass, figure + "at or above " + aim, kPractice};
+  return {kRule, GateSeverity::Warn, figure + "below " + aim, kPractice};
 }
 
 Gate chordal_tension(const Evaluation& repaired, const Evaluation& before) {
   constexpr const char* kRule = "chordal_tension";
   if (!trusted(before))
-    return {kRule, GateSeverity::NotAssessed,
-            "the closure of the unrepaired valve cannot be trusted", kPractice};
+    return {kRule, GateSeverity::NotAssessed, "the closure of the unrepaired valve is unreliable",
+            kPractice};
   const double usual = before.measure.tension_max_n, now = repaired.measure.tension_max_n;
   const std::string figures =
       "from " + with_decimals(usual, 1) + " to " + with_decimals(now, 1) + " N";
   if (now <= kTensionRise * std::max(usual, kTensionFloor_n))
-    return {kRule, GateSeverity::Pass, "highest chordal tension goes " + figures, kPractice};
+    return {kRule, GateSeverity::Pass, "the highest chordal tension changes " + figures, kPractice};
   return {kRule, GateSeverity::Warn,
-          "highest chordal tension rises more than threefold (" + figures +
+          "the highest chordal tension rises more than threefold (" + figures +
               "), as with neochordae 5 % too short",
           kPractice};
 }
@@ -79,29 +80,28 @@ Gate systolic_anterior_motion(const Evaluation& repaired, bool tethered) {
   const ValveMeasure& measure = repaired.measure;
   const double ratio = plan_closure(repaired).leaflet_ratio;
   if (!std::isfinite(ratio))
-    return {kRule, GateSeverity::NotAssessed, "leaflets do not touch in the middle", kSource};
+    return {kRule, GateSeverity::NotAssessed, "the leaflets do not coapt in the middle", kSource};
   const bool low = ratio < kLowLeafletRatio;
-  const std::string figure = "anterior over posterior leaflet, annulus to coaptation: " +
-                             with_decimals(measure.anterior_length_mm, 0) + " / " +
-                             with_decimals(measure.posterior_length_mm, 0) +
-                             " mm = " + with_decimals(ratio, 1) + ", ";
+  const std::string figure =
+      "SAM risk: the ratio of anterior to posterior leaflet length, annulus to coaptation, is " +
+      with_decimals(ratio, 1) + " (" + with_decimals(measure.anterior_length_mm, 0) + " / " +
+      with_decimals(measure.posterior_length_mm, 0) + " mm)";
   if (tethered)
     return {kRule, GateSeverity::NotAssessed,
             figure +
-                "is a sign of degenerative valves; here the papillary muscles tether the "
-                "leaflets, which draws them away from the septum",
+                ", a sign of degenerative valves; these leaflets are tethered, which draws "
+                "them away from the septum",
             kSource};
   return {kRule, low ? GateSeverity::Warn : GateSeverity::Pass,
-          figure + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
-              ", a static sign of risk; the other, less than 25 mm from coaptation to septum, "
-              "is not in the model",
+          figure + ", " + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
+              ". The septal distance (risk below 25 mm) cannot be assessed",
           kSource};
 }
 
 Gate regurgitation_grade(const ValveMeasure& measure) {
   return {"regurgitation_grade", GateSeverity::NotAssessed,
           "the leak of " + with_decimals(measure.leak.area_mm2, 1) +
-              " mm2 is an anatomic area, not the effective one by which regurgitation is graded",
+              " mm2 is an anatomic area; regurgitation is graded by the effective orifice area",
           kGrading};
 }
 
@@ -119,7 +119,7 @@ std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& be
   if (!trusted(repaired))
     for (std::size_t i = 2; i < gates.size(); ++i) {
       gates[i].severity = GateSeverity::NotAssessed;
-      gates[i].finding = "the closure of the repaired valve cannot be trusted";
+      gates[i].finding = "the closure of the repaired valve is unreliable";
     }
   return gates;
 }

@@ -66,13 +66,13 @@ Gate ring_width(const SurgicalOperation& operation) {
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const RingWidths width = widths(ring, operation);
     const std::string figures =
-        " the annulus (" + mm(width.ring_mm) + " against " + mm(width.transverse_mm) + ")";
+        " the annulus (" + mm(width.ring_mm) + " versus " + mm(width.transverse_mm) + ")";
     if (is_too_wide(operation.valve, width.ring_mm))
-      tell(rule, GateSeverity::Warn, "ring wider than" + figures + ": it would stretch it");
+      tell(rule, GateSeverity::Warn, "the ring is wider than" + figures + " and would stretch it");
     else if (width.ring_mm > width.transverse_mm + kGateRounding)
-      tell(rule, GateSeverity::Pass, "ring of the size next to" + figures);
+      tell(rule, GateSeverity::Pass, "the ring is of the size closest to" + figures);
     else
-      tell(rule, GateSeverity::Pass, "ring no wider than" + figures);
+      tell(rule, GateSeverity::Pass, "the ring is no wider than" + figures);
   }
   return or_none(rule, "no ring");
 }
@@ -83,11 +83,11 @@ Gate ring_stenosis(const SurgicalOperation& operation) {
     const double label = widths(ring, operation).label_mm;
     if (label <= kStenoticRing_mm + kGateRounding)
       tell(rule, GateSeverity::Warn,
-           "ring of " + mm(label) + ": " + shown(kStenoticRing_mm) +
+           "the ring size is " + mm(label) + "; " + shown(kStenoticRing_mm) +
                " mm or less predicts functional stenosis");
     else
       tell(rule, GateSeverity::Pass,
-           "ring of " + mm(label) + ", more than " + shown(kStenoticRing_mm) + " mm");
+           "the ring size of " + mm(label) + " exceeds " + shown(kStenoticRing_mm) + " mm");
   }
   return or_none(rule, "no ring");
 }
@@ -96,14 +96,15 @@ Gate undersizing(const SurgicalOperation& operation) {
   Gate rule = gate("undersizing");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const double sizes = ring_sizes_below(operation.valve, operation.repaired);
-    const std::string figure = shape_of(ring) + " ring: " + with_decimals(sizes, 1) +
+    const std::string figure = "the " + shape_of(ring) + " ring is " + with_decimals(sizes, 1) +
                                " sizes below the true size of " +
-                               mm(true_ring_size_mm(operation.valve)) + " (by its area), ";
+                               mm(true_ring_size_mm(operation.valve)) + " (by area); ";
     if (sizes > kMostSizesBelow + kGateRounding)
       tell(rule, GateSeverity::Reject,
-           figure + "more than " + shown(kMostSizesBelow) + " are rejected in practice");
+           figure + "more than " + shown(kMostSizesBelow) + " are not used in practice");
     else
-      tell(rule, GateSeverity::Pass, figure + "not more than " + shown(kMostSizesBelow));
+      tell(rule, GateSeverity::Pass,
+           figure + "up to " + shown(kMostSizesBelow) + " are used in practice");
   }
   return or_none(rule, "no ring");
 }
@@ -112,19 +113,20 @@ Gate papillary_movement(const SurgicalOperation& operation) {
   Gate rule = gate("papillary_movement");
   const Effort asked = effort(operation.valve, operation.repaired, operation.plan);
   const auto about = [&rule](double movement, Side side) {
-    const std::string figure = std::string(to_string(side)) + " muscle moved by " + mm(movement);
+    const std::string figure =
+        "the " + std::string(to_string(side)) + " papillary muscle is displaced by " + mm(movement);
     if (movement > kRejectedMovement_mm + kGateRounding)
       tell(rule, GateSeverity::Reject,
-           figure + ": more than " + shown(kRejectedMovement_mm) + " mm is rejected in practice");
+           figure + "; more than " + shown(kRejectedMovement_mm) + " mm is not done in practice");
     else if (movement > kUsualMovement_mm + kGateRounding)
       tell(rule, GateSeverity::Warn,
-           figure + ": more than " + shown(kUsualMovement_mm) + " mm is unusual");
+           figure + "; more than " + shown(kUsualMovement_mm) + " mm is unusual");
     else if (movement > 0.0)
       tell(rule, GateSeverity::Pass, figure);
   };
   about(asked.anterolateral_movement_mm, Side::Anterolateral);
   about(asked.posteromedial_movement_mm, Side::Posteromedial);
-  return or_none(rule, "no muscle moved");
+  return or_none(rule, "no papillary muscle is displaced");
 }
 
 /// apply_plan() refuses what this rule forbids.
@@ -132,8 +134,9 @@ Gate suture_length(const SurgicalOperation& operation) {
   Gate rule = gate("suture_length");
   for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
     tell(rule, GateSeverity::Pass,
-         std::string(to_string(suture.side)) + " suture of " + mm(suture.suture_length_mm) +
-             ": not below " + shown(kSutureMm.min) + " mm nor half the distance before");
+         "the " + std::string(to_string(suture.side)) + " suture of " +
+             mm(suture.suture_length_mm) + " is not shorter than " + shown(kSutureMm.min) +
+             " mm or half the previous distance");
   return or_none(rule, "no papillary suture");
 }
 
@@ -143,12 +146,12 @@ Gate filling(const SurgicalOperation& operation) {
     if (suture.anchor == Anchor::AnnulusPoint && suture.annulus_around > 0.5 &&
         suture.annulus_around < 1.0)
       tell(rule, GateSeverity::Warn,
-           std::string(to_string(suture.side)) +
-               " muscle tied to the posterior annulus: such anchors have impaired filling, which "
-               "is not simulated");
+           "the " + std::string(to_string(suture.side)) +
+               " papillary muscle is tied to the posterior annulus, which is associated with "
+               "impaired filling; filling is not simulated");
   return rule.severity == GateSeverity::Warn
              ? rule
-             : not_assessed("filling", "the flow that fills the ventricle is not simulated");
+             : not_assessed("filling", "ventricular filling is not simulated");
 }
 
 Gate neochorda_length(const SurgicalOperation& operation) {
@@ -157,8 +160,8 @@ Gate neochorda_length(const SurgicalOperation& operation) {
     const bool usual = step.length_mm >= kUsualNeochordaMm.min - kGateRounding &&
                        step.length_mm <= kUsualNeochordaMm.max + kGateRounding;
     tell(rule, usual ? GateSeverity::Pass : GateSeverity::Warn,
-         "neochorda of " + mm(step.length_mm) +
-             (usual ? "" : ": " + shown(kUsualNeochordaMm) + " mm is usual"));
+         "the neochorda is " + mm(step.length_mm) + " long" +
+             (usual ? "" : " (" + shown(kUsualNeochordaMm) + " mm is usual)"));
   }
   return or_none(rule, "no neochorda");
 }
@@ -171,7 +174,7 @@ Gate neochorda_half(const SurgicalOperation& operation) {
       const double own = head.side == Side::Anterolateral ? 0.0 : 1.0;
       const bool crosses = std::abs(step.insertion.along - own) > 0.5;
       tell(rule, crosses ? GateSeverity::Warn : GateSeverity::Pass,
-           "neochorda from " + head.id +
+           "the neochorda from " + head.id +
                (crosses ? " crosses to the other half of the valve" : " stays in its half"));
     }
   return or_none(rule, "no neochorda");
@@ -188,16 +191,16 @@ Gate native_chordae(const SurgicalOperation& operation) {
   for (const ChordalExcision& step : steps_of<ChordalExcision>(operation.plan))
     if (holds_edge(step.chorda))
       tell(rule, GateSeverity::Warn,
-           "chorda " + step.chorda + " cut: the free edge loses its support there");
+           "chorda " + step.chorda + " is cut, so the free edge loses its support there");
     else
       tell(rule, GateSeverity::Pass,
-           "chorda " + step.chorda + " cut: it does not hold the free edge");
+           "chorda " + step.chorda + " is cut; it does not support the free edge");
   for (const ChordalTransfer& step : steps_of<ChordalTransfer>(operation.plan))
     tell(rule, GateSeverity::Pass,
-         "chorda " + step.chorda + " transferred: its neighbours must hold what it held before");
+         "chorda " + step.chorda + " is transferred, so its neighbours take over its load");
   for (const ChordalLengthChange& step : steps_of<ChordalLengthChange>(operation.plan))
-    tell(rule, GateSeverity::Pass, "chorda " + step.chorda + " changed in length, not cut");
-  return or_none(rule, "no native chorda touched");
+    tell(rule, GateSeverity::Pass, "chorda " + step.chorda + " is changed in length, not cut");
+  return or_none(rule, "no native chorda is changed");
 }
 
 }  // namespace

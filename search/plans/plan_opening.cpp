@@ -40,27 +40,28 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
   Gate area{"opening_area", GateSeverity::NotAssessed, "", kPractice};
   Gate gradient{"mean_gradient", GateSeverity::NotAssessed, "", kGradientSource};
   if (!opening || !trusted(*opening)) {
-    area.finding = gradient.finding = !opening ? "the repaired valve was not opened"
-                                      : opening->behind_clip
-                                          ? kUnknownBehindClip
-                                          : "the open valve did not come to rest uncrossed";
+    area.finding = gradient.finding =
+        !opening ? "the repaired valve was not opened"
+        : opening->behind_clip
+            ? kUnknownBehindClip
+            : "the open valve did not reach equilibrium without crossing leaflets";
     return {area, gradient};
   }
   const double mm2 = opening->measure.opening_area_mm2, mmhg = opening->measure.gradient_mmhg;
-  const std::string figure = "opens to " + with_decimals(0.01 * mm2, 1) + " cm2";
+  const std::string figure = "the opening area is " + with_decimals(0.01 * mm2, 1) + " cm2";
   if (mm2 < kStenosis_mm2) {
     area.severity = GateSeverity::Reject;
-    area.finding = figure + ": less than 1.5 cm2 is rejected in practice";
+    area.finding = figure + "; less than 1.5 cm2 is not accepted in practice";
   } else if (mm2 < kNarrow_mm2) {
     area.severity = GateSeverity::Warn;
-    area.finding = figure + ": practice is cautious below 2.0 cm2";
+    area.finding = figure + "; less than 2.0 cm2 calls for caution";
   } else {
     area.severity = GateSeverity::Pass;
-    area.finding = figure + ", 2.0 or more";
+    area.finding = figure + ", at least 2.0 cm2";
   }
   gradient.severity = mmhg > kStenosis_mmhg ? GateSeverity::Warn : GateSeverity::Pass;
-  gradient.finding = "mean gradient of " + with_decimals(mmhg, 1) +
-                     " mmHg at rest: " + (mmhg > kStenosis_mmhg ? "more" : "no more") + " than 5";
+  gradient.finding = "the mean gradient at rest is " + with_decimals(mmhg, 1) + " mmHg, " +
+                     (mmhg > kStenosis_mmhg ? "above 5 mmHg" : "not above 5 mmHg");
   return {area, gradient};
 }
 

@@ -29,7 +29,7 @@ using Opener = std::function<PlanOpening(const Valve&)>;
 /// At rest, by open_valve()'s own options.
 PlanOpening open_plan(const Valve& repaired);
 
-inline constexpr const char* kUnknownBehindClip = "opening not known behind a clip or stitch";
+inline constexpr const char* kUnknownBehindClip = "the opening is unknown with a clip or stitch";
 inline constexpr double kUsualGradient_mmhg = 3.0, kStenosis_mmhg = 5.0;
 inline constexpr double kStenosis_mm2 = 150.0, kNarrow_mm2 = 200.0;  ///< rejected, warned of
 

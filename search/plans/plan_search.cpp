@@ -229,7 +229,8 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
     if (const Expected<Valve> repaired = apply_plan(valve, plans[i].plan); !repaired)
       for (const Error& error : repaired.errors())
         problems.add(error.code, "/plans/" + std::to_string(i) + error.path, error.message);
-  if (plans.empty()) problems.add(ErrorCode::OutOfRange, "/plans", "is empty, must hold a plan");
+  if (plans.empty())
+    problems.add(ErrorCode::OutOfRange, "/plans", "is empty, must contain at least one plan");
   if (!problems.empty()) return std::move(problems).take();
 
   SearchOptions all = options;

@@ -70,7 +70,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
   if (is_competent()) {
     branches_.push_back({});
     if (diagnosis_->competent_sure) {
-      cut_.push_back({"every operation", "the valve is competent"});
+      cut_.push_back({"all repairs", "the valve is competent"});
       return;
     }
   }
@@ -132,10 +132,10 @@ std::vector<std::string> PlanSpace::offer_rings() {
     if (is_forbidden(rules_, "annuloplasty", shape)) {
       cut_.push_back({"ring " + shape, "forbidden"});
     } else if (sizes.empty()) {
-      cut_.push_back(
-          {"ring " + shape, "no size is within " + shown(kMostSizesBelow) +
-                                " sizes of the true one, " + in_mm(true_ring_size_mm(valve_)) +
-                                ", and not more than half a size wider than the annulus"});
+      cut_.push_back({"ring " + shape, "no size is within " + shown(kMostSizesBelow) +
+                                           " sizes of the true size of " +
+                                           in_mm(true_ring_size_mm(valve_)) +
+                                           " and at most half a size wider than the annulus"});
     } else {
       offered.push_back(shape);
     }
@@ -146,12 +146,13 @@ std::vector<std::string> PlanSpace::offer_rings() {
       if (try_ring({OwnRing{below}}, below)) sizes.push_back(below);
     offer(kOwnShape, sizes);
   } else {
-    cut_.push_back({"ring own", "no maker has the valve's own shape; it is offered on request"});
+    cut_.push_back(
+        {"ring own", "no manufacturer offers the valve's own shape; it is available on request"});
   }
   for (const RingShape& shape : kRingShapes) {
     const std::string name(shape.name);
     if (shape.ap_over_transverse < kDegenerativeRing && !is_indicated(CarpentierType::IIIb)) {
-      cut_.push_back({"ring " + name, "its leaflets are not tethered"});
+      cut_.push_back({"ring " + name, "the leaflets are not tethered"});
       continue;
     }
     sizes.clear();
@@ -207,8 +208,9 @@ std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
   }
   const double distance = anchor_distance_mm(valve_, {.side = side});
   if (distance <= kMostNormalTipToTrigone_mm) {
-    cut_.push_back({what, "not displaced: " + in_mm(distance) + " from its trigone, up to " +
-                              in_mm(kMostNormalTipToTrigone_mm) + " is normal"});
+    cut_.push_back({what, "the papillary muscle is not displaced: " + in_mm(distance) +
+                              " from its trigone, up to " + in_mm(kMostNormalTipToTrigone_mm) +
+                              " is normal"});
     return {std::nullopt};
   }
   std::vector<std::optional<Anchor>> anchors = {std::nullopt};
@@ -227,7 +229,7 @@ std::vector<int> PlanSpace::offer_neochordae() {
     why = diagnosis_ ? "no segment prolapses" : "no marginal chorda is ruptured";
   for (const Lesion& lesion : lesions_)
     if (is_forbidden(rules_, "neochorda", to_string(lesion.leaflet))) why = "forbidden";
-  if (rules_.most_neochordae == 0) why = "none are allowed";
+  if (rules_.most_neochordae == 0) why = "not allowed by the rules";
   if (!why.empty()) {
     cut_.push_back({"neochordae", why});
     return {0};
@@ -258,7 +260,7 @@ std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
   if (lesions_.empty()) return offered;
   const Lesion* const posterior = posterior_lesion();
   if (!rules_.leaflet_resection) {
-    cut_.push_back({"resection", "it is offered on request"});
+    cut_.push_back({"resection", "available on request"});
   } else if (posterior == nullptr) {
     cut_.push_back({"resection", "the posterior leaflet does not prolapse"});
   } else if (!has_step<LeafletResection>(rules_.fixed)) {
@@ -487,7 +489,7 @@ Errors check_plan_space(const Valve& valve, const SearchRules& rules) {
   if (!space.branches().empty()) return {};
   std::string why;
   for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;
-  return {{ErrorCode::ImpossibleStep, "", "leave no plan to try" + why}};
+  return {{ErrorCode::ImpossibleStep, "", "exclude every plan" + why}};
 }
 
 }  // namespace coapt

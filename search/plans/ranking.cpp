@@ -205,9 +205,9 @@ void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
     return;
   const std::string there = "on " + std::to_string(mesh.triangles) + " triangles ";
   plan.warnings.push_back(!trusted(*plan.fine)
-                              ? there + "its closure did not converge uncrossed"
+                              ? there + "its closure did not converge or its leaflets cross"
                               : there + "it leaks " + with_decimals(plan.fine->leak_mm2, 1) +
-                                    " mm2: not called acceptable");
+                                    " mm2, so the plan is not acceptable");
 }
 
 /// @param durable the durability of all is known, and counts
@@ -247,11 +247,11 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   if (record.opening && record.opening->behind_clip) plan.warnings.push_back(kUnknownBehindClip);
   if (!record.plan.steps.empty() && plan.region.leak_mm2.worst > kMildLeak_mm2)
     plan.warnings.push_back("leaks more than " + shown(kMildLeak_mm2) +
-                            " mm2 somewhere in the region of interest");
+                            " mm2 at some point of the region of interest");
   if (nodes > 1 && plan.region.failures > 0)
-    plan.warnings.push_back(std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +
-                            " closures in the region of interest failed and are left out of its "
-                            "figures");
+    plan.warnings.push_back(
+        std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +
+        " closures in the region of interest failed and are excluded from its statistics");
   plan.fine_levels = fine.mesh.levels;
   if (const auto closure = fine.plans.find(&record); closure != fine.plans.end())
     plan.fine = closure->second;

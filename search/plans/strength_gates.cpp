@@ -32,15 +32,15 @@ Gate neochorda_strength(const PlanRecord& plan) {
     above += closure.tension_max_n > kKnotHolds_n;
   }
   if (trusted_closures == 0)
-    return {kRule, GateSeverity::NotAssessed, "no closure can be trusted", kKnots};
+    return {kRule, GateSeverity::NotAssessed, "no closure is reliable", kKnots};
   const std::string of = " of " + std::to_string(trusted_closures) +
-                         " closures, disturbed ones included: knots may unravel above " +
+                         " closures, including disturbed ones; knots may unravel above " +
                          shown(kKnotHolds_n) + " N";
   if (above == 0)
     return {kRule, GateSeverity::Pass,
-            "chordae bear " + with_decimals(peak, 1) + " N at most in any" + of, kKnots};
+            "the highest chordal tension is " + with_decimals(peak, 1) + " N in any" + of, kKnots};
   return {kRule, GateSeverity::Warn,
-          "a chorda bears more than " + shown(kKnotHolds_n) + " N, up to " +
+          "chordal tension exceeds " + shown(kKnotHolds_n) + " N, with a maximum of " +
               with_decimals(peak, 1) + " N, in " + std::to_string(above) + of,
           kKnots};
 }
@@ -52,9 +52,8 @@ std::vector<Gate> strength_gates(const PlanRecord& plan) {
   if (has<Annuloplasty>(plan.plan)) {
     ring.severity = GateSeverity::NotAssessed;
     ring.finding =
-        "the heart's pull on a ring is not simulated: its sutures bear 2.8 +- 1.3 N in front and "
-        "1.8 +- 1.2 N "
-        "behind, and tear out at 6.4 +- 3.6 and 3.9 +- 1.6 N";
+        "forces on ring sutures are not simulated; published forces are 2.8 ± 1.3 N anteriorly and "
+        "1.8 ± 1.2 N posteriorly, with tear-out at 6.4 ± 3.6 and 3.9 ± 1.6 N";
   }
   return {neochorda_strength(plan), ring};
 }

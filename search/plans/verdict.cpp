@@ -32,12 +32,13 @@ std::string anchors_of(const RankedPlan& plan) {
   std::string words;
   for (const OtherAnchor& anchor : plan.other_anchors) {
     const double apart = std::abs(anchor.more_mm2);
-    words += std::string(" The anchor of the ") + to_string(anchor.side) + " muscle is " +
-             anchor_words(anchor.anchor) + "; " + anchor_words(anchor.other) +
-             (apart < kTraceLeak_mm2 ? " is equal within " + tenths_above(apart) + " of leak"
-                                     : " leaks " + with_decimals(apart, 1) + " mm² " +
-                                           (anchor.more_mm2 > 0.0 ? "more" : "less")) +
-             ", over errors of the hand.";
+    words +=
+        std::string(" The ") + to_string(anchor.side) + " papillary muscle is anchored to " +
+        anchor_words(anchor.anchor) + "; anchoring it to " + anchor_words(anchor.other) +
+        (apart < kTraceLeak_mm2 ? " changes the mean leak by less than " + tenths_above(apart)
+                                : std::string(anchor.more_mm2 > 0.0 ? " raises" : " lowers") +
+                                      " the mean leak by " + with_decimals(apart, 1) + " mm²") +
+        ", with errors of execution.";
   }
   return words;
 }
@@ -50,11 +51,10 @@ std::string choice_of(const std::vector<RankedPlan>& plans) {
       others += (others.empty() ? "plan " : ", plan ") + std::to_string(plan.rank) + " in " +
                 std::to_string(plan.times_first);
   if (others.empty()) return "";
-  return " Which plan comes first depends on thresholds that no measurement fixes: plan 1 does "
-         "in " +
+  return " The order depends on thresholds that are not known from measurements: plan 1 ranks "
+         "first in " +
          std::to_string(plans.front().times_first) + " of " +
-         std::to_string(threshold_settings().size()) + " settings, " + others +
-         ". Take it as a choice.";
+         std::to_string(threshold_settings().size()) + " settings, " + others + ".";
 }
 
 /// To a tenth near all and nothing, as tables print it.
@@ -73,21 +73,20 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
                              " mm² with a probability of " +
                              percent_words(first.acceptable_probability);
   if (first.plan.steps.empty())
-    return "As it is the valve " + likely + ", over what is not known of tissue and mesh" +
-           (first.is_acceptable ? ": no operation is needed." : ".");
+    return "Without repair the valve " + likely + ", given the errors of tissue and mesh" +
+           (first.is_acceptable ? "; no repair is needed." : ".");
   if (first.region.closures < 2)
-    return "It is not known whether a plan is acceptable: none was closed under errors of the "
-           "hand.";
-  if (!first.is_acceptable) return "No plan is acceptable: the first one " + likely + ".";
+    return "It is unknown whether a plan is acceptable, because none was closed with errors of "
+           "execution.";
+  if (!first.is_acceptable) return "No plan is acceptable; plan 1 " + likely + ".";
   const auto alike = std::count_if(plans.begin(), plans.end(), [&](const RankedPlan& plan) {
     return plan.of_class == first.of_class;
   });
-  const std::string who = alike > 1
-                              ? "Plans 1 to " + std::to_string(alike) +
-                                    " cannot be told apart; plan 1 is the simplest of them. It"
-                              : std::string("Plan 1");
-  return who + " " + likely + ", over errors of the hand, tissue and mesh." + anchors_of(first) +
-         choice_of(plans);
+  const std::string who = alike > 1 ? "Plans 1 to " + std::to_string(alike) +
+                                          " are equivalent; plan 1 is the simplest of them. It"
+                                    : std::string("Plan 1");
+  return who + " " + likely + ", given the errors of execution, tissue and mesh." +
+         anchors_of(first) + choice_of(plans);
 }
 
 }  // namespace coapt

@@ -132,7 +132,7 @@ Errors check_prior(const PopulationPrior& prior) {
     problems.add(ErrorCode::OutOfRange, "/correlations",
                  "contradict each other: their matrix is not positive definite");
   if (prior.aetiologies.empty())
-    problems.add(ErrorCode::OutOfRange, "/aetiologies", "is empty, must hold one");
+    problems.add(ErrorCode::OutOfRange, "/aetiologies", "is empty, must contain at least one");
   for (std::size_t i = 0; i < prior.aetiologies.size(); ++i) {
     const AetiologyPrior& aetiology = prior.aetiologies[i];
     const std::string path = "/aetiologies/" + std::to_string(i);

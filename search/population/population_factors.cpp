@@ -171,7 +171,7 @@ HumanValve diseased_valve(Aetiology aetiology, const AnatomyValues& anatomy,
     change.posteromedial_mm(axis) = lesions[static_cast<std::size_t>(PosteromedialTip + axis)];
   }
   human.disease = std::string(to_string(aetiology)) +
-                  " disease, drawn from a population: its lesions stand in population.json";
+                  " disease, drawn from a population; population.json lists its lesions";
   return human;
 }
 

@@ -37,8 +37,9 @@ Expected<std::optional<RingDesignResult>> design_ring_by(const RingTrial& trial,
     (i % 2 == 0 ? searched : judged).push_back(members[i]);
   if (is_one_patient) judged = searched;
   if (members.empty())
-    return Error{ErrorCode::OutOfRange, "",
-                 "has no member whose valve closes uncrossed: nothing to design a ring for"};
+    return Error{
+        ErrorCode::OutOfRange, "",
+        "has no member whose valve closes without crossing leaflets, so no ring can be designed"};
   const Disturbances disturbances = disturbances_for(is_one_patient);
   RingSearchOptions search{.evaluations = options.evaluations,
                            .seed = options.seed,

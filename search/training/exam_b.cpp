@@ -105,8 +105,8 @@ Expected<ExamBCase> make_exam_b(const Valve& valve, std::uint64_t seed, const Ex
     }
   return Error{ErrorCode::Unsupported, "",
                "none of " + std::to_string(rules.most_draws) +
-                   " valves with lesions looks as before without pressure and has tethered, normal "
-                   "and prolapsing segments: try another seed or another valve"};
+                   " valves with lesions looks unchanged without pressure and has tethered, normal "
+                   "and prolapsing segments; try another seed or valve"};
 }
 
 }  // namespace coapt

@@ -61,7 +61,7 @@ class Diagnose(ProgramTest):
         result, code = first_plan("human-p2-prolapse", "--search", search)
         self.assertEqual((code, result["plans"], result["stop"]), (NO_COMPETENT_PLAN, [], "exhausted"))
         self.assertIn({"what": "neochordae", "why": "forbidden"}, result["cut"])
-        self.assertIn({"what": "resection", "why": "it is offered on request"}, result["cut"])
+        self.assertIn({"what": "resection", "why": "available on request"}, result["cut"])
 
     def test_what_is_no_valve_is_refused(self):
         result = coapt("diagnose", "no-such-valve")

@@ -81,7 +81,7 @@ class Rules(Input):
             *LONG, "--forbid", "annuloplasty", "--forbid", "papillary_approximation", "--forbid", "neochorda"
         )
         for words in [
-            "leave no plan to try",
+            "exclude every plan",
             "ring own: forbidden",
             "suture of the anterolateral muscle: forbidden",
             "suture of the posteromedial muscle: forbidden",

@@ -117,7 +117,7 @@ inline RankedPlan first() {
   plan.region.independent_leak_mm2 = {0.3, 0.36, 0.4, 1.1, 3.2, 1.0, 1.0, 1.0};
   plan.gates = gates(11.5);
   plan.warnings = warnings_of(plan.gates);
-  plan.warnings.push_back("leaks more than 5 mm2 somewhere in the region of interest");
+  plan.warnings.push_back("leaks more than 5 mm2 at some point of the region of interest");
   plan.fine_levels = 1;
   plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.4, 6.1, 0.92, 0.63};
   plan.fine_cost_change = 1.5;
@@ -169,8 +169,8 @@ inline RankedPlan third() {
   plan.name = "own/suture.json";
   plan.plan.steps = {PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.31, 19.0}};
   plan.description = {
-      "papillary approximation: posteromedial muscle to the annulus at 0.31 turns from the "
-      "posteromedial commissure, over the saddle peak, suture 19 mm"};
+      "papillary approximation: posteromedial muscle to the annulus, 24 % of the way from the "
+      "saddle peak to the anterolateral commissure, suture 19 mm"};
   plan.cost = 10034.2;
   plan.subset_cost = 10034.2;
   plan.subset_nodes = 1;

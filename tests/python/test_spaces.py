@@ -51,7 +51,7 @@ class Spaces(EngineTest):
     def test_a_competent_valve_has_one_plan_and_says_why(self):
         space = self.client.preset("human-normal").space()
         self.assertEqual((space.names, space.plan([])), ((), Plan()))
-        self.assertEqual(space.cut, (("every operation", "the valve is competent"),))
+        self.assertEqual(space.cut, (("all repairs", "the valve is competent"),))
 
     def test_a_plan_is_found_again_from_its_vector_and_the_other_way_round(self):
         for name, rules in itertools.product(REPAIRED, (None, EVERYTHING)):

@@ -90,10 +90,9 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   doubtful.transverse_mm = 36.0;
   EXPECT_EQ(
       sentence_of(doubtful),
-      "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for its "
-      "leaflets: 33 x 36 mm, 0.92 times as deep as wide, where health has 0.75 (Carpentier type "
-      "I). Type IIIb is not ruled out. The leak is too near 5 mm² to tell whether the valve "
-      "is competent.");
+      "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for the "
+      "leaflets: 33 x 36 mm, a ratio of 0.92 instead of 0.75 (Carpentier type I). Type IIIb is not "
+      "ruled out. The leak is too close to 5 mm² to tell whether the valve is competent.");
 }
 
 TEST(Diagnosis, IsTheSameHoweverTheValveLies) {

@@ -37,12 +37,12 @@ TEST(ClosureGates, EveryRuleIsStatedAndAQuietClosurePasses) {
 TEST(ClosureGates, ALongPosteriorLeafletIsASignOfSystolicAnteriorMotion) {
   constexpr const char* kRule = "systolic_anterior_motion";
   Evaluation repaired = quiet();
-  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Pass, "20 / 10 mm = 2.0");
+  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Pass, "2.0 (20 / 10 mm)");
   repaired.measure.posterior_length_mm = 16.0;
   expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Warn, "below 1.3");
   expect_gate(closure_gates(repaired, quiet(), true), kRule, GateSeverity::NotAssessed, "tether");
   repaired.measure.posterior_length_mm = std::numeric_limits<double>::quiet_NaN();
-  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::NotAssessed, "do not touch");
+  expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::NotAssessed, "do not coapt");
 }
 
 TEST(ClosureGates, AClosureThatIsNotToBeTrustedIsRejectedAndItsFiguresAreNotAssessed) {
@@ -52,8 +52,8 @@ TEST(ClosureGates, AClosureThatIsNotToBeTrustedIsRejectedAndItsFiguresAreNotAsse
   lost.measure.leak.area_mm2 = std::numeric_limits<double>::quiet_NaN();
   expect_gate(closure_gates(limited, quiet()), "convergence", GateSeverity::Reject,
               "did not converge");
-  expect_gate(closure_gates(lost, quiet()), "convergence", GateSeverity::Reject, "do not trust");
-  expect_gate(closure_gates(crossed, quiet()), "crossing", GateSeverity::Reject, "through");
+  expect_gate(closure_gates(lost, quiet()), "convergence", GateSeverity::Reject, "unreliable");
+  expect_gate(closure_gates(crossed, quiet()), "crossing", GateSeverity::Reject, "leaflets cross");
   expect_gate(closure_gates(crossed, quiet()), "convergence", GateSeverity::Pass,
               "the closure converged");
   for (const Evaluation& bad : {limited, crossed, lost}) {
@@ -76,10 +76,10 @@ TEST(ClosureGates, CoaptationOfA2WithP2IsAnAim) {
   for (const std::size_t i : {3u, 4u, 5u}) low.measure.coaptation.sections[i].height_mm = 5.0;
   expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn, "5.0 mm");
   expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Warn,
-              "below the aim of 8 mm");
+              "below the target of 8 mm");
   for (const std::size_t i : {3u, 4u, 5u}) low.measure.coaptation.sections[i].height_mm = 7.96;
   expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Pass,
-              "8.0 mm high, not below");
+              "8.0 mm, at or above");
   low = quiet();
   low.measure.coaptation.sections[0].height_mm = 1.0;  // no part of A2 and P2
   expect_gate(closure_gates(low, quiet()), "coaptation_height", GateSeverity::Pass, "evidence");

@@ -52,7 +52,7 @@ TEST(Gates, ARuleWithoutASubjectPassesAndFillingIsNeverAssessed) {
   const std::vector<Gate> none = gates(RepairPlan{});
   expect_gate(none, "ring_width", GateSeverity::Pass, "no ring");
   expect_gate(none, "undersizing", GateSeverity::Pass, "no ring");
-  expect_gate(none, "papillary_movement", GateSeverity::Pass, "no muscle");
+  expect_gate(none, "papillary_movement", GateSeverity::Pass, "no papillary muscle");
   expect_gate(none, "neochorda_half", GateSeverity::Pass, "no neochorda");
   for (const std::vector<Gate>& any : {none, gates(ring(26.0))})
     expect_gate(any, "filling", GateSeverity::NotAssessed, "not simulated");
@@ -62,14 +62,14 @@ TEST(Gates, ARuleWithoutASubjectPassesAndFillingIsNeverAssessed) {
 
 TEST(Gates, RingsWiderThanTheAnnulusStretchIt) {
   // The annulus is 36 mm wide.
-  expect_gate(gates(ring(38.0)), "ring_width", GateSeverity::Warn, "38.0 mm against 36.0 mm");
+  expect_gate(gates(ring(38.0)), "ring_width", GateSeverity::Warn, "38.0 mm versus 36.0 mm");
   expect_gate(gates(ring(36.0)), "ring_width", GateSeverity::Pass, "36.0 mm");
   expect_gate(gates(ring(34.0, kWide)), "ring_width", GateSeverity::Warn, "38.1 mm");
   expect_gate(gates(own_ring(0)), "ring_width", GateSeverity::Pass, "36.0 mm");
   Valve narrower = fitting_valve();
   narrower.annulus_mm.col(0) *= 35.2 / 36.0;
   expect_gate(gates({{ring(36.0)}}, narrower), "ring_width", GateSeverity::Pass,
-              "ring of the size next to the annulus (36.0 mm against 35.2 mm)");
+              "ring is of the size closest to the annulus (36.0 mm versus 35.2 mm)");
 }
 
 TEST(Gates, RingsLabelled27OrLessPredictStenosis) {
@@ -85,7 +85,7 @@ TEST(Gates, MoreThanFourSizesBelowTheTrueOneIsRejectedByArea) {
   expect_gate(gates(own_ring(4)), "undersizing", GateSeverity::Pass,
               "3.7 sizes below the true size of 36.0 mm");
   expect_gate(gates(own_ring(5)), "undersizing", GateSeverity::Reject, "4.8 sizes");
-  expect_gate(gates(ring(26.0)), "undersizing", GateSeverity::Reject, "rejected in practice");
+  expect_gate(gates(ring(26.0)), "undersizing", GateSeverity::Reject, "not used in practice");
   // 28 x 1.12 = 31.4 mm, but half as deep: by area 31.4 x 16.0 of 36 x 27 is a third less of either.
   expect_gate(gates(ring(28.0, kWide)), "undersizing", GateSeverity::Reject, "more than 4");
   EXPECT_TRUE(is_rejected(gates(own_ring(5))));
@@ -96,7 +96,7 @@ TEST(Gates, MoreThanFourSizesBelowTheTrueOneIsRejectedByArea) {
 
 TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "papillary_movement",
-              GateSeverity::Pass, "anterolateral muscle moved by 8.6 mm");
+              GateSeverity::Pass, "anterolateral papillary muscle is displaced by 8.6 mm");
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 17.0)), "papillary_movement",
               GateSeverity::Warn, "11.6 mm");
   Valve deep = fitting_valve();
@@ -136,16 +136,16 @@ TEST(Gates, NeochordaeAreOfUsualLengthAndStayInTheirHalf) {
   const std::vector<Gate> four =
       gates(RepairPlan{{neochorda("AL1", 0.4, 20.0), neochorda("AL1", 0.45, 32.0),
                         neochorda("PM1", 0.55, 33.0), neochorda("PM1", 0.6, 20.0)}});
-  EXPECT_EQ(
-      gate_of(four, "neochorda_length").finding,
-      "neochorda of 32.0 mm: 10 to 30 mm is usual; neochorda of 33.0 mm: 10 to 30 mm is usual");
+  EXPECT_EQ(gate_of(four, "neochorda_length").finding,
+            "the neochorda is 32.0 mm long (10 to 30 mm is usual); the neochorda is 33.0 mm long "
+            "(10 to 30 mm is usual)");
 }
 
 TEST(Gates, CuttingWhatHoldsTheFreeEdgeIsWarnedOf) {
   expect_gate(gates(ChordalExcision{"AL1-P1-marginal-1"}), "native_chordae", GateSeverity::Warn,
               "free edge");
   expect_gate(gates(ChordalExcision{"PM1-A2-strut-1"}), "native_chordae", GateSeverity::Pass,
-              "PM1-A2-strut-1 cut");
+              "PM1-A2-strut-1 is cut");
   expect_gate(gates(ChordalTransfer{"PM1-A2-strut-1", {Leaflet::Anterior, 0.6, 1.0}}),
               "native_chordae", GateSeverity::Pass, "transferred");
   expect_gate(gates(ChordalLengthChange{"PM1-A2-strut-1", -2.0}), "native_chordae",

@@ -59,7 +59,7 @@ TEST(PlanOpening, IsNotKnownBehindAClipAndRejectsNothing) {
   const RepairPlan clip{{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}};
   const PlanOpening unknown = open_plan(*apply_plan(fitting_valve(), clip));
   EXPECT_EQ(severities(unknown), (std::vector{NotAssessed, NotAssessed}));
-  EXPECT_EQ(opening_gates(unknown)[0].finding, "opening not known behind a clip or stitch");
+  EXPECT_EQ(opening_gates(unknown)[0].finding, "the opening is unknown with a clip or stitch");
   EXPECT_FALSE(is_stenotic(unknown));
   EXPECT_EQ(price(opening_terms(unknown), {}), 0.0);
   EXPECT_FALSE(open_plan(fitting_valve()).behind_clip);

@@ -103,7 +103,7 @@ TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongOrLeaveNoPlan) {
       check_plan_space(small_valve(), forbidding({"annuloplasty", "papillary_approximation"}));
   ASSERT_EQ(empty.size(), 1u);
   EXPECT_EQ(empty[0].path, "");
-  EXPECT_TRUE(empty[0].message.starts_with("leave no plan to try; ")) << empty[0].message;
+  EXPECT_TRUE(empty[0].message.starts_with("exclude every plan; ")) << empty[0].message;
   EXPECT_TRUE(check_plan_space(small_valve(), {}).empty());
   EXPECT_EQ(PlanSpace(small_valve(), {}, {}, true).branches().size(), 1u);
 }
@@ -143,7 +143,7 @@ TEST(PlanSpace, RupturedChordaeBringUpToFourNeochordae) {
   EXPECT_EQ(space_of(with_rupture(), most_neochordae(1)).branches().size(), kRings * 2u - 1u);
   const PlanSpace none = space_of(with_rupture(), most_neochordae(0));
   EXPECT_EQ(none.branches().size(), kRings - 1u);
-  EXPECT_TRUE(is_cut(none, "neochordae", "none are allowed"));
+  EXPECT_TRUE(is_cut(none, "neochordae", "not allowed by the rules"));
   const PlanSpace forbidden = space_of(with_rupture(), forbidding({"neochorda:posterior"}));
   EXPECT_EQ(forbidden.branches().size(), kRings - 1u);
   EXPECT_EQ(space_of(with_rupture(), forbidding({"neochorda:anterior"})).branches().size(),
@@ -333,7 +333,7 @@ TEST(Indication, ACompetentValveNeedsNoOperation) {
   const Branch& nothing = space.branches()[0];
   EXPECT_EQ(steps(nothing.choice), 0);
   EXPECT_TRUE(space.plan(nothing, start_of(nothing)).steps.empty());
-  EXPECT_TRUE(is_cut(space, "every operation", "competent"));
+  EXPECT_TRUE(is_cut(space, "all repairs", "competent"));
   diagnosis.competent_sure = false;
   diagnosis.types = {CarpentierType::I};
   EXPECT_GT(PlanSpace(small_valve(), {}, diagnosis).branches().size(), 1u) << "it offers both";

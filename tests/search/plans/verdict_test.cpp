@@ -19,18 +19,20 @@ RankedPlan plan_of(int rank, const RepairPlan& plan, int of_class = 1) {
 const RepairPlan kRing{{Annuloplasty{CatalogueRing{"generic-classic", 32.0}}}};
 
 TEST(Verdict, SaysThatNoOperationIsNeeded) {
-  EXPECT_EQ(
-      verdict_of({plan_of(1, {})}),
-      "As it is the valve leaks less than 5 mm² with a probability of 97.0 %, over what is not "
-      "known of tissue and mesh: no operation is needed.");
+  EXPECT_EQ(verdict_of({plan_of(1, {})}),
+            "Without repair the valve leaks less than 5 mm² with a probability of 97.0 %, given "
+            "the errors "
+            "of tissue and mesh; no repair is needed.");
   EXPECT_EQ(verdict_of({}), "");
 }
 
 TEST(Verdict, SaysWhichPlansCannotBeToldApart) {
-  EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing, 2)}),
-            "Plan 1 leaks less than 5 mm² with a probability of 97.0 %, over errors of the hand, "
-            "tissue and mesh.");
-  EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing)}).find("Plans 1 to 2 cannot"), 0u);
+  EXPECT_EQ(
+      verdict_of({plan_of(1, kRing), plan_of(2, kRing, 2)}),
+      "Plan 1 leaks less than 5 mm² with a probability of 97.0 %, given the errors of execution, "
+      "tissue and mesh.");
+  EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing)}).find("Plans 1 to 2 are equivalent"),
+            0u);
 }
 
 TEST(Verdict, SaysWhatTheOtherAnchorWouldChange) {
@@ -42,14 +44,15 @@ TEST(Verdict, SaysWhatTheOtherAnchorWouldChange) {
     return verdict_of({plan});
   };
   const std::string trigone =
-      " The anchor of the posteromedial muscle is the trigone; the saddle peak ";
+      " The posteromedial papillary muscle is anchored to the trigone; anchoring it to the saddle "
+      "peak ";
   for (const auto& [more_mm2, words] :
-       {std::pair<double, const char*>{0.0, "is equal within 0.1 mm² of leak"},
-        {-0.07, "is equal within 0.1 mm² of leak"},
-        {0.31, "is equal within 0.4 mm² of leak"},
-        {2.26, "leaks 2.3 mm² more"},
-        {-3.0, "leaks 3.0 mm² less"}})
-    EXPECT_TRUE(said(more_mm2).ends_with(trigone + words + ", over errors of the hand."))
+       {std::pair<double, const char*>{0.0, "changes the mean leak by less than 0.1 mm²"},
+        {-0.07, "changes the mean leak by less than 0.1 mm²"},
+        {0.31, "changes the mean leak by less than 0.4 mm²"},
+        {2.26, "raises the mean leak by 2.3 mm²"},
+        {-3.0, "lowers the mean leak by 3.0 mm²"}})
+    EXPECT_TRUE(said(more_mm2).ends_with(trigone + words + ", with errors of execution."))
         << said(more_mm2);
 }
 
@@ -58,23 +61,21 @@ TEST(Verdict, CallsAPlanThatHangsOnThresholdsAChoice) {
   first.times_first = 18;
   other.times_first = 9;
   const std::string said = verdict_of({first, plan_of(2, kRing), other});
-  EXPECT_NE(said.find("plan 1 does in 18 of 27 settings, plan 3 in 9. Take it as a choice."),
-            std::string::npos)
+  EXPECT_NE(said.find("plan 1 ranks first in 18 of 27 settings, plan 3 in 9."), std::string::npos)
       << said;
   first.times_first = 27;
   other.times_first = 0;
-  EXPECT_EQ(verdict_of({first, other}).find("choice"), std::string::npos);
+  EXPECT_EQ(verdict_of({first, other}).find("thresholds"), std::string::npos);
 }
 
 TEST(Verdict, SaysThatNoPlanIsAcceptable) {
   RankedPlan bad = plan_of(1, kRing);
   bad.is_acceptable = false;
   bad.acceptable_probability = 0.4;
-  EXPECT_EQ(
-      verdict_of({bad}),
-      "No plan is acceptable: the first one leaks less than 5 mm² with a probability of 40 %.");
+  EXPECT_EQ(verdict_of({bad}),
+            "No plan is acceptable; plan 1 leaks less than 5 mm² with a probability of 40 %.");
   bad.region.closures = 1;
-  EXPECT_EQ(verdict_of({bad}).find("It is not known"), 0u);
+  EXPECT_EQ(verdict_of({bad}).find("It is unknown"), 0u);
 }
 
 }  // namespace
