@@ -149,8 +149,8 @@ void add_close(Command parent, int& status) {
   add_material_option(command, arguments->material);
   command
       .add_option("--accuracy", arguments->accuracy_mm2,
-                  "Largest error of the leak, mm2: refines the mesh and chooses the tolerances "
-                  "(method fast)")
+                  "Accuracy of the leak, mm2: refine the mesh and choose the tolerances to reach "
+                  "it (method fast)")
       .check(number_from(0.0, std::numeric_limits<double>::max()))
       .show_argument("MM2")
       .excludes("--converge");
@@ -162,18 +162,18 @@ void add_close(Command parent, int& status) {
   command
       .add_option(
           "--draws", arguments->draws,
-          "Also close it under so many draws of tissue and chordae, 64 for instance: where the "
-          "leak "
-          "lies by what the model does not know, weighed by what was observed (coapt observe)")
+          "Also close this many variants of tissue and chordae (64, for instance) to find the "
+          "tissue error of the leak; variants are weighted by what was observed (coapt observe)")
       .check(number_from(0, kMostDraws))
       .show_default();
-  command.add_flag("--open", arguments->open,
-                   "Also open the valve as in diastole: opening and mean gradient (coapt open)");
+  command.add_flag(
+      "--open", arguments->open,
+      "Also open the valve in diastole and measure its opening and mean gradient (coapt open)");
   command.add_flag("--json", arguments->json, "Print JSON");
   add_server_option(command, arguments->server);
   command.footer(
-      "Exit code 3 if the closure did not converge or leaflets cross; the result is "
-      "printed\nanyway. Areas are anatomic, from geometry: not an EROA.\n\n"
+      "The exit code is 3 if the closure did not converge or leaflets cross; the result is "
+      "still\nprinted. Areas are anatomic, measured on the closed surface; they are not EROAs.\n\n"
       "Examples:\n"
       "  coapt close human-functional-mr --render leaking.png\n"
       "  coapt close human-functional-mr --plan examples/plans/ring.json --open\n"

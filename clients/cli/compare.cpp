@@ -82,7 +82,8 @@ Expected<Shape> read_shape_argument(const std::string& argument,
   if (!valve) return valve.errors();
   Shape shape = closed_shape_of(*valve, arguments.closure);
   if (shape.mesh.faces.rows() == 0)
-    return Error{ErrorCode::BadGeometry, "", "flew apart when it was closed: there is no shape"};
+    return Error{ErrorCode::BadGeometry, "",
+                 "diverged during closure; there is no closed shape to compare"};
   return shape;
 }
 
@@ -141,19 +142,19 @@ void print_comparison(std::ostream& out, const Json& json) {
                         << fixed(json["mean_signed_mm"], 3) << " mm\n";
   if (nodes) {
     if (!alignment["rigid"])
-      line(out, "") << "a rigid motion would leave rms " << in_mm(json["rms_after_rigid_mm"])
-                    << " (--align rigid)\n";
+      line(out, "") << "after a rigid alignment the rms distance would be "
+                    << in_mm(json["rms_after_rigid_mm"]) << " (--align rigid)\n";
   } else {
     line(out, "back") << "rms " << in_mm(json["back"]["rms_mm"]) << ", p95 "
                       << in_mm(json["back"]["p95_mm"]) << ", max " << in_mm(json["back"]["max_mm"])
                       << ", from the reference's nodes\n";
     line(out, "coverage") << percent(json["beyond_edge_share"])
-                          << " of nodes are nearest to the edge of the reference\n";
+                          << " of nodes have their closest point on the edge of the reference\n";
   }
-  if (!alignment["settled"]) line(out, "") << "the alignment did not come to rest\n";
+  if (!alignment["settled"]) line(out, "") << "the alignment did not converge\n";
   print_shape(out, "closed", json["closed"]);
   print_shape(out, "reference", json["reference"]);
-  line(out, "contact") << "nearer than " << fixed(json["contact_distance_mm"], 2)
+  line(out, "contact") << "within " << fixed(json["contact_distance_mm"], 2)
                        << " mm to another part of the surface\n";
 }
 
@@ -217,33 +218,31 @@ int run(const CompareArguments& arguments) {
 void add_compare(Command parent, int& status) {
   const auto arguments = std::make_shared<CompareArguments>();
   Command command =
-      parent.add_command("compare", "Measure how far a closed shape lies from a reference");
+      parent.add_command("compare", "Measure the distance from a closed shape to a reference");
   constexpr const char* kShapeHelp =
-      "A mesh (OBJ, PLY, STL, VTK, VTP, VTU; millimetres), a scene of the service (coapt.scene/2), "
-      "or a "
-      "valve or preset, which is closed first";
+      "Closed shape: a mesh in millimetres (OBJ, PLY, STL, VTK, VTP, VTU), a scene from the "
+      "service (coapt.scene/2), or a valve or preset, which is closed first";
   command.add_option("closed", arguments->closed, kShapeHelp).required();
-  command.add_option("reference", arguments->reference, "The same, to measure the distance from")
+  command.add_option("reference", arguments->reference, "Reference shape, in any of the same forms")
       .required();
   command
-      .add_option(
-          "--align", arguments->alignment,
-          "auto: not if the meshes have the same nodes, or if a valve knows where it lies in "
-          "the patient, else by iterative closest point")
+      .add_option("--align", arguments->alignment,
+                  "Alignment before measuring; auto aligns by iterative closest point, unless the "
+                  "meshes share their nodes or the valve's position in the patient is known")
       .one_of({"auto", "none", "rigid"})
       .show_default();
   command
       .add_option("--leaflets", arguments->files.leaflets,
                   "Cell array (.vtk, .vtp, .vtu) that numbers the leaflets")
-      .show_default("leaflet, element_sets or segment; else pieces that hang together");
+      .show_default("leaflet, element_sets or segment, else connected components");
   command.add_option(
       "--displacement", arguments->files.displacement,
-      "Point array (.vtp, .vtu) to add to the points, where they are those of the open "
-      "valve");
+      "Displacement array (.vtp, .vtu) to add to the points, if the file holds the open valve");
   command
-      .add_option("--contact-mm", arguments->contact_mm,
-                  "Nodes nearer than this to another part of the surface are in contact")
-      .show_default("1.25 x the valve's thickness, or of 1 mm")
+      .add_option(
+          "--contact-mm", arguments->contact_mm,
+          "Contact distance: nodes closer than this to another part of the surface are in contact")
+      .show_default("1.25 x the valve's thickness (1 mm if unknown)")
       .check(number_from(0.001, 100.0));
   add_membrane_option(command, arguments->closure.membrane);
   command.add_option("--map", arguments->picture, "Write a picture of the signed distance (PNG)")
@@ -254,12 +253,11 @@ void add_compare(Command parent, int& status) {
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "Where both have the same nodes (as many, joined alike), node to node; else from each node "
-      "of CLOSED\nto the surface of REFERENCE, after a rigid alignment. Positive: on the side to "
-      "which the reference's\nnormals point (of a valve: the atrium). A valve that was imported "
-      "is laid where it was imaged. Exit code 3 if a valve that was\nclosed here, or the "
-      "alignment, "
-      "did not come to rest.\n\n"
+      "Meshes with the same nodes and connectivity are compared node by node; otherwise the "
+      "distance is\nmeasured from each node of CLOSED to the surface of REFERENCE after a rigid "
+      "alignment. Distances are\npositive on the side to which the reference's normals point (for "
+      "a valve, the atrial side). An\nimported valve is placed where it was imaged. The exit code "
+      "is 3 if a closure or the alignment did\nnot converge.\n\n"
       "Examples:\n"
       "  coapt compare closed.vtk segmented.stl --map distance.png\n"
       "  coapt compare human-normal fine.ply --json\n"

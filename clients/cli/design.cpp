@@ -87,36 +87,40 @@ void add_design_ring(Command parent, int& status) {
                      "Directory of a population, or its file (coapt.population/1)");
   command.add_option("--valve", arguments->valve, "Design it for this valve alone");
   command.add_option("--aetiology", arguments->aetiology,
-                     "Of the population's members take only these: ischaemic, dilated, ...");
+                     "Use only members with this aetiology: ischaemic, dilated, ...");
   command
-      .add_option(
-          "--evaluations", options.evaluations,
-          "Closures and openings spent on designs; generic shapes and the verdict take more")
+      .add_option("--evaluations", options.evaluations,
+                  "Number of closures and openings for evaluating designs; generic shapes and the "
+                  "final comparison need more")
       .check(number_from(static_cast<int>(kRingEvaluations.min),
                          static_cast<int>(kRingEvaluations.max)))
       .show_default();
-  command.add_option("--seed", options.seed, "Same seed, same ring")
+  command.add_option("--seed", options.seed, "Random seed; the same seed gives the same ring")
       .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
       .show_default();
-  command.add_option("--threads", options.threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", options.threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  command.add_option("--name", arguments->name, "Of the shape, in plans").show_default();
+  command.add_option("--name", arguments->name, "Name of the ring, as used in plans")
+      .show_default();
   command
       .add_option("--printed-size", arguments->printed_size_mm,
-                  "Width of the solid in the STL file and of the picture, mm")
+                  "Cross-sectional width of the solid ring in the STL file and the picture, mm")
       .check(number_from(kRingSizesMm.min, kRingSizesMm.max))
       .show_default();
   command
       .add_option("-o,--output", arguments->output,
-                  "The ring (coapt.ring/1); solid, picture, dimensions and page are written beside "
-                  "it (.stl, .svg, .csv, .html)")
+                  "File for the ring (coapt.ring/1); a solid, a picture, its dimensions and a web "
+                  "page are written beside it (.stl, .svg, .csv, .html)")
       .check({refuse_standard_output, "FILE"})
       .show_default();
   command.add_flag("--json", arguments->json, "Print the whole result as JSON");
   command.footer(
-      "Six terms of shape and the sizing rule are searched on every second member; the others\n"
-      "judge the ring against the best generic shape (docs/researcher/ring-design.md).\n\n"
+      "Six shape parameters and the sizing rule are optimised on every second member. The "
+      "remaining\nmembers are held out to compare the ring with the best generic "
+      "shape\n(docs/researcher/ring-design.md).\n\n"
       "Examples:\n"
       "  coapt design ring --population adults --evaluations 20000 --seed 1 -o ring.json\n"
       "  coapt design ring --population adults --aetiology ischaemic -o ischaemic.json\n"

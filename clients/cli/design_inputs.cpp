@@ -20,7 +20,7 @@ Expected<DesignInputs> read_population_members(const std::string& path,
     return Error{ErrorCode::OutOfRange, "/members",
                  "has " + std::to_string(inputs.members.size()) +
                      (aetiology.empty() ? "" : " " + aetiology) +
-                     " members, at least 4 are needed: every second one is held out"};
+                     " members, must have at least 4, because every second one is held out"};
   inputs.made_for = "population " + population->prior.name + ", seed " +
                     std::to_string(population->seed) +
                     (aetiology.empty() ? "" : ", " + aetiology + " members alone");

@@ -56,22 +56,22 @@ void print_ring_design(std::ostream& out, const RingDesignResult& result,
   out << "\n  sizing: the size nearest to " << fixed(design.width_over_transverse, 3)
       << " of the annulus's transverse diameter\n";
   const RingCandidate& generic = result.search.generic.candidate;
-  out << "Against " << std::get<std::string>(generic.shape) << " at "
+  out << "Compared with " << std::get<std::string>(generic.shape) << " at "
       << fixed(generic.width_over_transverse, 2) << ", on "
       << counted(result.held_out_members, "member")
-      << (result.held_out_members == 1 ? " under disturbances held out:\n" : " held out:\n")
-      << "  closures below 5 mm2: " << fixed(all.design.below_percent, 1) << " % against "
+      << (result.held_out_members == 1 ? " with held-out disturbances:\n" : " held-out members:\n")
+      << "  closures below 5 mm2: " << fixed(all.design.below_percent, 1) << " % versus "
       << fixed(all.generic.below_percent, 1) << " %, gain " << with_interval(all.below_percent, 1)
-      << " points\n  mean leak: " << fixed(all.design.leak_mm2, 1) << " against "
+      << " points\n  mean leak: " << fixed(all.design.leak_mm2, 1) << " versus "
       << fixed(all.generic.leak_mm2, 1) << " mm2, gain " << with_interval(all.leak_mm2, 1)
-      << " mm2\n  mean gradient: " << fixed(all.design.gradient_mmhg, 1) << " against "
+      << " mm2\n  mean gradient: " << fixed(all.design.gradient_mmhg, 1) << " versus "
       << fixed(all.generic.gradient_mmhg, 1) << " mmHg; above 5 mmHg "
-      << fixed(all.design.stenotic_percent, 0) << " against "
+      << fixed(all.design.stenotic_percent, 0) << " versus "
       << fixed(all.generic.stenotic_percent, 0)
-      << " % of members\n  disease until 5 mm2: " << fixed(all.design.durability_mm, 1)
-      << " against " << fixed(all.generic.durability_mm, 1)
-      << " mm of the posteromedial tip\n  largest pull at a suture: "
-      << fixed(all.design.suture_max_n, 2) << " against " << fixed(all.generic.suture_max_n, 2)
+      << " % of members\n  reserve against progression: " << fixed(all.design.durability_mm, 1)
+      << " versus " << fixed(all.generic.durability_mm, 1)
+      << " mm of posteromedial tip displacement\n  largest suture force: "
+      << fixed(all.design.suture_max_n, 2) << " versus " << fixed(all.generic.suture_max_n, 2)
       << " N\n";
   for (std::size_t k = 1; k < result.verdicts.size(); ++k) {
     const RingVerdict& verdict = result.verdicts[k];

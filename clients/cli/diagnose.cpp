@@ -26,21 +26,21 @@ struct DiagnoseArguments {
 /// Of coapt.diagnosis/1.
 void print_diagnosis(std::ostream& out, const Json& diagnosis) {
   out << diagnosis["sentence"].get<std::string>() << "\n\n";
-  TableRows rows = {{"segment", "finding", "edge over annulus", "too high by", "over", "ruptured"}};
+  TableRows rows = {{"segment", "finding", "edge above annulus", "edge step", "along", "ruptured"}};
   const auto mm = [](const Json& value) { return with_decimals(value.get<double>(), 1) + " mm"; };
   for (const Json& segment : diagnosis["segments"])
-    rows.push_back(
-        {segment["name"],
-         segment["finding"].get<std::string>() + (segment["sure"].get<bool>() ? "" : " (not sure)"),
-         mm(segment["edge_mm"]), mm(segment["override_mm"]), mm(segment["width_mm"]),
-         std::to_string(segment["ruptured_chordae"].get<int>())});
+    rows.push_back({segment["name"],
+                    segment["finding"].get<std::string>() +
+                        (segment["sure"].get<bool>() ? "" : " (uncertain)"),
+                    mm(segment["edge_mm"]), mm(segment["override_mm"]), mm(segment["width_mm"]),
+                    std::to_string(segment["ruptured_chordae"].get<int>())});
   print_table(out, rows);
   const Json &tips = diagnosis["tip_to_trigone_mm"], &annulus = diagnosis["annulus"];
-  out << "\nPapillary tips to their trigones: " << mm(tips["anterolateral"]) << " and "
+  out << "\nDistance from papillary tip to trigone: " << mm(tips["anterolateral"]) << " and "
       << mm(tips["posteromedial"]) << "; tenting " << mm(diagnosis["tenting_height_mm"])
       << "; annulus " << mm(annulus["ap_mm"]) << " x " << mm(annulus["transverse_mm"])
       << (annulus["dilated"].get<bool>() ? ", dilated" : "")
-      << ".\nThresholds and their sources: --json\n";
+      << ".\nUse --json for the thresholds and their sources.\n";
 }
 
 int run(const DiagnoseArguments& arguments, const std::optional<Service>& service) {
@@ -65,16 +65,17 @@ int run(const DiagnoseArguments& arguments, const std::optional<Service>& servic
 void add_diagnose(Command parent, int& status) {
   const auto arguments = std::make_shared<DiagnoseArguments>();
   Command command = parent.add_command(
-      "diagnose", "Say why a valve leaks: Carpentier's type, segment by segment");
+      "diagnose", "Find why a valve leaks: Carpentier type and finding for each segment");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
-  command.add_flag("--json", arguments->json, "Print JSON (coapt.diagnosis/1), with thresholds");
+  command.add_flag("--json", arguments->json,
+                   "Print JSON (coapt.diagnosis/1), including the thresholds");
   add_server_option(command, arguments->server);
   command.footer(
-      "A segment prolapses where its free edge rides over the opposite one by 4 mm more than in "
-      "closed\nvalves, or stands above the annulus; it is flail where its chordae are ruptured, "
-      "too. Near a threshold\nthe finding is not sure, and what else it may be is said. Exit code "
-      "3 if the valve did not close.\n\n"
+      "A segment prolapses if its free edge overrides the opposite one by 4 mm more than in "
+      "competent\nvalves, or lies above the annulus; it is flail if its chordae are ruptured as "
+      "well. A finding close\nto a threshold is marked as uncertain, with its alternative. The "
+      "exit code is 3 if the closure did\nnot converge.\n\n"
       "Examples:\n"
       "  coapt diagnose human-p2-prolapse\n"
       "  coapt diagnose valve.json --json\n"

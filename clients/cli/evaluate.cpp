@@ -183,13 +183,13 @@ void add_evaluate(Command parent, int& status) {
   const auto arguments = std::make_shared<EvaluateArguments>();
   Command command = parent.add_command("evaluate", "Score and rank plans of your own");
   command.add_option("valve", arguments->valve, kValveHelp).required();
-  command.add_option(
-      "plan", arguments->plans,
-      "Repair plans: coapt.plan/1, all that plan --json prints, or the page's saved plans");
+  command.add_option("plan", arguments->plans,
+                     "Repair plans: coapt.plan/1 files, the output of coapt plan --json, or plans "
+                     "saved on the page");
   command
       .add_option("--ring", arguments->rings,
-                  "A designed ring as a plan (coapt.ring/1), sized by its own rule, or FILE:SIZE "
-                  "in mm; may be given again")
+                  "Score a designed ring (coapt.ring/1) as a plan, in the size of its sizing rule "
+                  "or in SIZE mm (repeatable)")
       .show_argument("FILE[:SIZE]")
       .one_at_a_time();
   command.add_option("-o,--report", arguments->report, "Write a report with pictures (HTML)")
@@ -199,14 +199,14 @@ void add_evaluate(Command parent, int& status) {
     add_search_option(command, name, arguments->options);
   add_store_option(command, arguments->store);
   command.add_flag("--no-evidence", arguments->no_evidence,
-                   "Leave out errors of single sutures and further remodelling");
-  command.add_flag("--json", arguments->json, "Print JSON, as coapt plan does, with each \"file\"");
+                   "Skip the analysis of single sutures and of further remodelling");
+  command.add_flag("--json", arguments->json,
+                   "Print JSON as coapt plan does, with the \"file\" of each plan");
   add_server_option(command, arguments->server);
   command.footer(
-      "A valve of which something was observed (coapt observe) is closed under 64 draws unless "
-      "--model-draws says\notherwise.\n"
-      "A service makes 500 closures at most, unless it was started with another limit: plans times "
-      "--region-points, the evidence, and the draws.\n\n"
+      "If something was observed of the valve (coapt observe), --model-draws is 64 by default. A "
+      "service\naccepts up to 500 closures by default, counting --region-points for each plan, the "
+      "analysis of\nsutures and remodelling, and the variants.\n\n"
       "Examples:\n"
       "  coapt evaluate human-functional-mr examples/plans/ring.json examples/plans/mixed.json -o "
       "report.html\n"

@@ -48,10 +48,11 @@ int write_folder(const std::string& path, const ClosedValve& exported,
                                         [&](const NamedFile& f) { return f.name == name; });
     std::error_code ignored;
     if (!is_written && std::filesystem::exists(folder / name, ignored))
-      return report_errors("export", {{ErrorCode::InputOutput, "",
-                                       (folder / name).string() +
-                                           " is from an earlier export and would be read with this "
-                                           "one: remove it or choose another folder"}});
+      return report_errors(
+          "export",
+          {{ErrorCode::InputOutput, "",
+            (folder / name).string() + " is left from an earlier export and would be read together "
+                                       "with this one; remove it or choose another folder"}});
   }
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -89,8 +90,8 @@ void note_ties(const ExportArguments& arguments, const Valve& valve) {
   for (const std::string& path : arguments.outputs)
     if (!is_folder(path) && format_of_path(path)->loses_ties)
       std::cerr << "coapt: " << path
-                << ": the ties of the edge-to-edge repair are not kept; a valve that is imported "
-                   "from this has none\n";
+                << ": this format does not store the edge-to-edge repair; a valve imported from "
+                   "the file lacks it\n";
 }
 
 int run(ExportArguments arguments) {
@@ -123,35 +124,36 @@ int run(ExportArguments arguments) {
 void add_export(Command parent, int& status) {
   const auto arguments = std::make_shared<ExportArguments>();
   Command command =
-      parent.add_command("export", "Close a valve and write files that other programs open");
+      parent.add_command("export", "Close a valve and write it in the formats of other programs");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
   command
       .add_option("-o,--output", arguments->outputs,
-                  "File to write, format by its extension; a folder (DIR/) for what SlicerHeart's "
-                  "ValveFemExport writes; may be given several times")
+                  "File to write; its extension sets the format, and a folder (DIR/) receives the "
+                  "files of SlicerHeart's ValveFemExport (repeatable)")
       .required()
       .check({refuse_unknown_format, "FILE"});
-  command.add_flag("--open", arguments->options.open, "The unstressed shape, not the closed one");
+  command.add_flag("--open", arguments->options.open,
+                   "Export the unstressed shape instead of the closed one");
   const std::map<std::string, ExportFrame> frames = {{"patient", ExportFrame::Patient},
                                                      {"valve", ExportFrame::Valve}};
   command
       .add_choice("--frame", arguments->options.frame, frames,
-                  "Axes of the numbers: patient (default), those of the images that the valve was "
-                  "made from, its own where these are not known; or valve, its own")
+                  "Coordinate frame: patient (default), the frame of the source images, or the "
+                  "valve's own where that is unknown; or valve, the valve's own")
       .show_argument("FRAME");
-  command.add_option("--grid", arguments->grid,
-                     "Label map that the valve was imported from: label maps have its voxels, "
-                     "and load beside the images (default: voxels of 0.5 mm about the valve)");
+  command.add_option(
+      "--grid", arguments->grid,
+      "Label map that the valve was imported from; exported label maps use its voxel grid and so "
+      "overlay the images (default: a grid of 0.5 mm voxels around the valve)");
   std::string formats = "Formats:\n";
   for (const FileFormat& format : file_formats())
     formats += "  ." + std::string(format.name) +
                std::string(10 - std::string_view(format.name).size(), ' ') + format.what + '\n';
   command.footer(
       formats +
-      "All but .glb (metres) in millimetres.\n"
-      "Exit code 3 if the closure did not converge or leaflets cross; the files are written "
-      "anyway.\n\n"
+      "Lengths are in millimetres, in .glb in metres.\nThe exit code is 3 if the closure did not "
+      "converge or leaflets cross; the files are still written.\n\n"
       "Examples:\n"
       "  coapt export human-normal -o valve.glb\n"
       "  coapt export valve.json --plan plan.json -o repaired.vtk -o repaired.mrk.json\n"

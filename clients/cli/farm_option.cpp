@@ -8,7 +8,8 @@ void add_farm_option(Command command, std::string& url, const std::string& what)
   command
       .add_option(
           "--farm", url,
-          what + " by the workers of this farm (coapt-farm): postgresql://HOST/NAME; '': here")
+          what +
+              " on the workers of this farm (coapt-farm), postgresql://HOST/NAME; \"\": run here")
       .show_argument("URL")
       .environment("COAPT_FARM")
       .group("Farm");

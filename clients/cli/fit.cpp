@@ -69,7 +69,7 @@ Expected<LeafletMesh> placed(LeafletMesh surface, const Valve& valve,
   if (arguments.frame_given)
     return Error{ErrorCode::MissingField, "/patient_frame",
                  "is missing in the valve: it was not made from images, or by an older version; "
-                 "give --frame valve if the surface is in the valve's own frame"};
+                 "use --frame valve if the surface is in the valve's own frame"};
   return surface;
 }
 
@@ -105,14 +105,14 @@ void print_hypotheses(std::ostream& out, const ValveFit& fit) {
     out << '\n';
   }
   for (std::size_t i = 0; i < fit.left_out.size(); ++i)
-    out << (i == 0 ? "left out for lack of time: " : ", ") << fit.left_out[i];
+    out << (i == 0 ? "skipped at the time limit: " : ", ") << fit.left_out[i];
   if (!fit.left_out.empty()) out << '\n';
 }
 
 void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& measured) {
   out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
-      << " mm after, of " << fit.points_mm.rows() << " points, which weigh as "
-      << std::lround(fit.independent_points) << " independent ones\n"
+      << " mm after, of " << fit.points_mm.rows() << " points, equivalent to "
+      << std::lround(fit.independent_points) << " independent points\n"
       << "leak       " << fixed(fit.before.measure.leak.area_mm2, 1) << " mm2 before, "
       << fixed(fit.leak.mm2, 1) << " ± " << fixed(fit.leak.sd_mm2, 1) << " mm2 after";
   if (measured.leak_mm2)
@@ -128,11 +128,10 @@ void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& me
         << std::right;
     for (const double number : {fitted.value, fitted.sd, parameter.prior, parameter.prior_sd})
       out << std::setw(9) << fixed(number, mm ? 2 : 3);
-    out << (fitted.identifiable ? "" : "  the data say little") << '\n';
+    out << (fitted.identifiable ? "" : "  weakly constrained by the data") << '\n';
   }
   print_hypotheses(out, fit);
-  if (fit.stop != FitStop::AtRest)
-    out << "\nstopped before it came to rest" << why(fit.stop) << '\n';
+  if (fit.stop != FitStop::AtRest) out << "\nstopped before convergence" << why(fit.stop) << '\n';
 }
 
 int run(FitArguments arguments) {
@@ -160,7 +159,7 @@ int run(FitArguments arguments) {
     arguments.options.cancelled = [&] { return interrupted.load(); };
     arguments.options.progress = [&](int round, double rms_mm) {
       bar.show(round, (arguments.options.ruptures ? 6 : 2) * arguments.options.most_rounds,
-               "rounds at most, rms " + fixed(rms_mm, 3) + " mm");
+               "rounds (maximum), rms " + fixed(rms_mm, 3) + " mm");
       return true;
     };
     fit = fit_valve(*valve, measured, arguments.options);
@@ -194,13 +193,12 @@ void add_fit(Command parent, int& status) {
   FitOptions& options = arguments->options;
   FitUnknowns& unknowns = options.unknowns;
   Command command = parent.add_command(
-      "fit", "Fit chordae, papillary tips and tissue of a valve to its closed state as imaged");
+      "fit", "Fit chordae, papillary tips and tissue of a valve to its imaged closed state");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   command
-      .add_option(
-          "--closed", arguments->closed,
-          "The closed leaflets as imaged: a mesh (OBJ, PLY, STL, VTK, VTP, VTU) or points (CSV), "
-          "millimetres")
+      .add_option("--closed", arguments->closed,
+                  "Imaged closed leaflets: a mesh (OBJ, PLY, STL, VTK, VTP, VTU) or points (CSV), "
+                  "in millimetres")
       .required();
   command.add_option("-o,--output", arguments->output, "File for the fitted valve")
       .required()
@@ -209,75 +207,77 @@ void add_fit(Command parent, int& status) {
                                                      {"middle", MeasuredSide::Middle}};
   command
       .add_choice("--side", arguments->side, sides,
-                  "What the surface is: atrial (default), the leaflets' atrial side; middle, their "
-                  "mid-surface")
+                  "Surface that was imaged: atrial (default), the atrial side of the leaflets; "
+                  "middle, their mid-surface")
       .show_argument("SIDE");
   const std::map<std::string, SurfaceFrame> frames = {{"patient", SurfaceFrame::Patient},
                                                       {"valve", SurfaceFrame::Valve}};
   command
-      .add_choice("--frame", arguments->frame, frames,
-                  "Of the surface: patient (LPS; default where the valve knows it) or valve")
+      .add_choice(
+          "--frame", arguments->frame, frames,
+          "Coordinate frame of the surface: patient (LPS; default if known to the valve) or valve")
       .show_argument("FRAME");
   command
       .add_option("--leak", arguments->leak_mm2,
-                  "The leak as imaged, mm2; an anatomic area, not one by PISA")
+                  "Imaged leak, mm2: an anatomic area, not a PISA estimate")
       .check(number_from(0.0, 2000.0));
-  command.add_option("--leak-sd", arguments->leak_sd_mm2, "How well it is known, mm2")
+  command.add_option("--leak-sd", arguments->leak_sd_mm2, "Standard deviation of --leak, mm2")
       .check(number_from(0.01, 1000.0))
       .show_default();
   command
-      .add_option(
-          "--known", arguments->known,
-          "Keep as they are: slack (lengths of chordae), tips, prestretch, hidden (height of "
-          "the leaflets in coaptation)")
+      .add_option("--known", arguments->known,
+                  "Do not fit these: slack (chordal lengths), tips, prestretch, hidden (leaflet "
+                  "height hidden in coaptation)")
       .one_of({"slack", "tips", "prestretch", "hidden"})
       .count(1, 4);
   command
       .add_option("--slack-sd", unknowns.slack_sd,
-                  "How well lengths of chordae are known before, share of the length")
+                  "Prior standard deviation of chordal lengths, as a fraction of the length")
       .check(number_from(0.001, 0.2))
       .show_default();
   command
       .add_option("--tip-sd", unknowns.tip_sd_mm,
-                  "How well each coordinate of the tips is known before, mm")
+                  "Prior standard deviation of each coordinate of the papillary tips, mm")
       .check(number_from(0.01, 10.0))
       .show_default();
   command
       .add_option("--hidden-sd", unknowns.hidden_sd_mm,
-                  "How well the hidden height is known before, mm")
+                  "Prior standard deviation of the hidden height, mm")
       .check(number_from(0.01, 5.0))
       .show_default();
   command.add_flag("--ruptured", options.ruptures,
-                   "Ask for each scallop whether its marginal chordae are ruptured; the fitted "
-                   "valve is that of the most probable answer");
-  command.add_option("--points", options.most_points, "Points used of the surface, at most")
+                   "Estimate for each scallop whether its marginal chordae are ruptured; the "
+                   "fitted valve has the most probable combination");
+  command.add_option("--points", options.most_points, "Maximum number of surface points to use")
       .check(number_from(100, 10000))
       .show_default();
-  command.add_option("--rounds", options.most_rounds, "Rounds of either pass, at most")
+  command.add_option("--rounds", options.most_rounds, "Maximum number of rounds of each pass")
       .check(number_from(1, 1000))
       .show_default();
   options.most_seconds = kMostSeconds;
   command
       .add_option("--seconds", options.most_seconds,
-                  "Time at most; it then has the best so far, which depends on the machine")
+                  "Time limit, s; the best fit so far is then written and depends on the machine")
       .check(number_from(0.1, 1e6))
       .show_default();
   add_membrane_option(command, options.closure.membrane);
-  command.add_option("--threads", options.threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", options.threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  command.add_option("--map", arguments->picture, "Picture of what distance is left (PNG; meshes)")
+  command
+      .add_option("--map", arguments->picture,
+                  "Write a map of the remaining distance (PNG; meshes only)")
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--json", arguments->json, "Print JSON (coapt.fit/1)");
   command.footer(
-      "The fit changes what images do not show, each within three standard deviations of what is\n"
-      "assumed of it: lengths of chordae by group and muscle, places of the papillary tips, the\n"
-      "prestretch of tissue in vivo, and how far the leaflets reach below the line where they "
-      "meet.\n"
-      "It says how well each is known afterwards, and what the data cannot tell. Exit code 3 if "
-      "it\n"
-      "was stopped before it came to rest, ended more than 2 mm rms from the surface, or if the\n"
-      "surface has fewer independent points than there are parameters.\n\n"
+      "The fit adjusts parameters that images do not show, each within three standard deviations "
+      "of\nits prior: chordal lengths by group and muscle, positions of the papillary tips, in "
+      "vivo\nprestretch of the tissue, and leaflet height below the coaptation line. It reports "
+      "the\nposterior uncertainty of each parameter and which of them the data do not constrain. "
+      "The exit\ncode is 3 if the fit stopped before convergence, if more than 2 mm rms remain, or "
+      "if the\nsurface has fewer independent points than there are parameters.\n\n"
       "Examples:\n"
       "  coapt fit valve.json --closed systole.stl -o fitted.json --map residual.png\n"
       "  coapt fit valve.json --closed systole.vtk --leak 35 --leak-sd 10 -o fitted.json --json\n"

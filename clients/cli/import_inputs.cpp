@@ -69,12 +69,12 @@ int take_folders(ImportInputs& inputs) {
     const bool dicom = std::any_of(files->begin(), files->end(), is_dicom_file);
     std::string& place = dicom ? inputs.series : inputs.slicerheart;
     if (!place.empty())
-      return refuse(path + ": is a second folder of the same kind; one is accepted");
+      return refuse(path + ": is a second folder of the same kind; only one is accepted");
     place = path;
   }
   std::erase_if(inputs.bare, is_folder);
   if (!inputs.slicerheart.empty() && !inputs.bare.empty())
-    return refuse("a SlicerHeart folder takes no other files");
+    return refuse("a SlicerHeart folder cannot be combined with other files");
   return exit_code::kOk;
 }
 
@@ -195,7 +195,8 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
     const std::size_t before = told[kind]++;
     if (before >= kMostAlike) continue;
     if (before + 1 == kMostAlike && count[kind] > kMostAlike)
-      error.message += " (and " + std::to_string(count[kind] - kMostAlike) + " more like it)";
+      error.message +=
+          " (and " + std::to_string(count[kind] - kMostAlike) + " more of the same kind)";
     for (const std::string list : {"/annulus", "/tips"})
       if (error.path.starts_with(list + "_mm")) error.path.erase(list.size(), 3);
     std::string source = "valve import";
@@ -247,7 +248,7 @@ ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
   if ((read.failed = read_series(inputs.series, reading.series))) return read;
   if (!inputs.series.empty()) places.emplace_back("/series", inputs.series);
   if (!inputs.label_numbers.empty() && !files.labels && files.leaflets.size() != 1)
-    read.failed = refuse("--label needs a label map (--labels) or one file with several parts");
+    read.failed = refuse("--label requires a label map (--labels) or one file with several parts");
   else if (files.leaflets.empty() && !files.labels && inputs.series.empty())
     read.failed = refuse("--leaflet is required (or --labels, --slicerheart, or bare files)");
   if (read.failed) return read;

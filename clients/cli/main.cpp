@@ -38,16 +38,14 @@ void add_commands(Command app, int& status) {
 constexpr Program kCoapt = {
     "coapt", "Closes a mitral valve in simulation, measures what leaks, and searches for repairs.",
     "Examples:\n"
-    "  coapt close human-functional-mr                  # a preset leaks: how much, and where\n"
+    "  coapt close human-functional-mr                  # leak of a preset: area and location\n"
     "  coapt plan human-functional-mr -o report.html    # ranked repair plans\n"
     "  coapt valve import --leaflet a.obj p.obj --annulus ring.csv --chordae chordae.csv -o "
     "mine.json\n"
     "  coapt plan mine.json --server http://127.0.0.1:8080\n"
-    "Each command's --help has more; `man coapt` has all.\n\n"
-    "Exit codes: 0 done; 1 coapt failed; 2 bad input or usage; 3 closure not converged or "
-    "leaflets\n"
-    "cross; 4 no plan is acceptable; 130 interrupted, best so "
-    "far printed.",
+    "See `coapt COMMAND --help` for details and `man coapt` for the manual.\n\nExit codes: 0 "
+    "success; 1 internal error; 2 bad input or usage; 3 the closure did not converge\nor leaflets "
+    "cross; 4 no plan is acceptable; 130 interrupted, with the best result so far printed.",
     add_commands};
 
 }  // namespace

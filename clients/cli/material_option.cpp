@@ -15,7 +15,7 @@ void add_material_option(Command command, MaterialOption& option) {
   option.given.resize(table.size());
   for (std::size_t m = 0; m < table.size(); ++m)
     command.add_option(flag_of(*table[m]), option.given[m], table[m]->what)
-        .group("Pressure and tissue, in place of the valve's own")
+        .group("Pressure and tissue, overriding the valve's own")
         .show_default("the valve's");
 }
 

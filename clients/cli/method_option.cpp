@@ -10,7 +10,7 @@ void add_method_option(Command command, Method& method) {
                                                  {to_string(Method::Thesis), Method::Thesis}};
   command
       .add_choice("--method", method, methods,
-                  "How to close: fast (default) or thesis, its reference")
+                  "Closure solver: fast (default), or thesis, the reference solver")
       .show_argument("METHOD");
 }
 
@@ -19,10 +19,9 @@ void add_membrane_option(Command command, Membrane& membrane) {
       {to_string(Membrane::Springs), Membrane::Springs},
       {to_string(Membrane::Continuum), Membrane::Continuum}};
   command
-      .add_choice(
-          "--membrane", membrane, membranes,
-          "What carries the leaflets' tension: continuum (default), triangles that converge "
-          "under refinement, or springs, the thesis's")
+      .add_choice("--membrane", membrane, membranes,
+                  "Membrane model: continuum (default), a finite-element membrane that converges "
+                  "under refinement, or springs, the model of the thesis")
       .show_argument("MEMBRANE");
 }
 

@@ -26,7 +26,7 @@ struct ObserveArguments {
 Errors check(const ObserveArguments& arguments) {
   if (!arguments.forget && !any_observed(arguments.observed))
     return {{ErrorCode::MissingField, "",
-             "what was observed is required: " + observed_option_names() + "; or --forget"}};
+             "an observation is required: " + observed_option_names() + "; or --forget"}};
   return check_observed(arguments.observed);
 }
 
@@ -57,21 +57,21 @@ int run(const ObserveArguments& arguments, const std::optional<Service>& service
 void add_observe(Command parent, int& status) {
   const auto arguments = std::make_shared<ObserveArguments>();
   Command command = parent.add_command(
-      "observe", "Store what images show of a valve's leak, by which later answers are weighed");
+      "observe", "Store what images show of a valve's leak, to weight later results");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_observed_options(command, arguments->observed, "--source");
-  command.add_flag("--forget", arguments->forget, "Forget what was observed before");
+  command.add_flag("--forget", arguments->forget, "Remove earlier observations");
   command
       .add_option("-o,--output", arguments->output,
-                  "File for the valve with what was observed, - for standard output")
+                  "File for the valve with its observations, - for standard output")
       .required()
       .show_argument("FILE");
   add_server_option(command, arguments->server);
   command.footer(
-      "Draws of tissue and chordae in which the valve looks otherwise count less from then on: in "
-      "plan and\nevaluate, close --draws, study model and study information. A figure that was "
-      "given before is replaced.\nThe valve as observed is the unrepaired one: a repair or a "
-      "remodelling forgets it.\n\n"
+      "Variants of tissue and chordae that disagree with the observations receive less weight in "
+      "plan,\nevaluate, close --draws, study model and study information. A new value replaces the "
+      "earlier one.\nObservations refer to the unrepaired valve; a repair or a remodelling removes "
+      "them.\n\n"
       "Examples:\n"
       "  coapt observe valve.json --leak 30 --leak-sd 8 --source \"3D planimetry\" -o seen.json\n"
       "  coapt observe seen.json --widest-gap 3 --widest-gap-sd 0.5 -o seen.json");

@@ -11,13 +11,12 @@ struct FigureOption {
 /// In the order of ObservedFigure.
 constexpr std::array<FigureOption, kObservedFigures> kFigures = {
     {{"--leak", "--leak-sd",
-      "Area of the regurgitant opening, mm2: anatomic (planimetry, 3D vena contracta); an "
-      "effective one over its "
-      "discharge coefficient"},
+      "Anatomic regurgitant orifice area (planimetry, 3D vena contracta), mm2; divide an effective "
+      "area by its discharge coefficient"},
      {"--tenting-area", "--tenting-area-sd",
-      "Area between annular line and leaflets in the mid-valve section, mm2"},
+      "Tenting area between the annular line and the leaflets in the mid-valve section, mm2"},
      {"--widest-gap", "--widest-gap-sd",
-      "Diameter of the largest ball that passes between the leaflets, mm"}}};
+      "Widest gap: diameter of the largest ball that passes between the leaflets, mm"}}};
 
 }  // namespace
 
@@ -29,10 +28,10 @@ void add_observed_options(Command command, ObservedOptions& options,
         .check(number_from(row.least, row.most));
     command
         .add_option(kFigures[i].sd, options.sds[i],
-                    std::string("How well it is known: one standard deviation, ") + row.unit)
+                    "Standard deviation of " + std::string(kFigures[i].value) + ", " + row.unit)
         .check(number_from(row.least_sd, row.most_sd));
   }
-  command.add_option(source_option, options.source, "Who or what saw it, in words");
+  command.add_option(source_option, options.source, "Source of the observation, as free text");
 }
 
 std::string observed_option_names() {

@@ -80,16 +80,15 @@ void add_open(Command parent, int& status) {
   add_plan_option(command, arguments->plan);
   OpeningOptions& options = arguments->options;
   command
-      .add_option(
-          "--pressure", options.pressure_mmhg,
-          "Atrium over ventricle at the peak of filling, mmHg; by default what the flow needs")
+      .add_option("--pressure", options.pressure_mmhg,
+                  "Peak atrioventricular pressure difference during filling, mmHg (default: the "
+                  "pressure that drives the flow)")
       .check(number_from(kFillingPressures_mmhg.min, kFillingPressures_mmhg.max));
   command
-      .add_option(
-          "--flow", options.flow_ml_s,
-          "Mean flow of filling at rest, ml/s; by default 155, less through a small annulus")
+      .add_option("--flow", options.flow_ml_s,
+                  "Mean filling flow at rest, ml/s (default: 155, less for a small annulus)")
       .check(number_from(kFillingFlows_ml_s.min, kFillingFlows_ml_s.max));
-  command.add_option("--exercise", options.exercise, "Flow at exercise over that at rest")
+  command.add_option("--exercise", options.exercise, "Ratio of exercise flow to resting flow")
       .check(number_from(kExercises.min, kExercises.max))
       .show_default();
   command.add_option("--render", arguments->picture, "Write a picture of the open valve (PNG)")
@@ -100,9 +99,9 @@ void add_open(Command parent, int& status) {
   command.add_flag("--json", arguments->json, "Print JSON (coapt.opening/2)");
   add_server_option(command, arguments->server);
   command.footer(
-      "Annulus and papillary tips are where diastole has them: the valve file's \"systole\" says\n"
-      "how far systole moves them. A ring holds the annulus. Exit code 3 if the leaflets did not\n"
-      "come to rest.\n\n"
+      "Annulus and papillary tips are placed in their diastolic positions, using the systolic "
+      "motion in\n\"systole\" of the valve file; a ring fixes the annulus. The exit code is 3 if "
+      "the leaflets did not\nreach equilibrium.\n\n"
       "Examples:\n"
       "  coapt open human-normal --render open.png\n"
       "  coapt open human-functional-mr --plan examples/plans/ring.json --json");

@@ -39,11 +39,12 @@ void print_text() {
 void add_operations(Command parent, int& status) {
   const auto json = std::make_shared<bool>(false);
   Command command =
-      parent.add_command("operations", "List what coapt does, and from where it can be asked for");
-  command.add_flag("--json", *json, "Print JSON, with the command and the service's path of each");
+      parent.add_command("operations", "List all operations and the interfaces that offer them");
+  command.add_flag("--json", *json,
+                   "Print JSON, including the command and the service path of each operation");
   command.footer(
-      "Doors: command_line (this program), service (coapt-server), python (in process or by a "
-      "service),\nbrowser (the page without a service), farm (coapt-farm).\n\n"
+      "Interfaces: command_line (this program), service (coapt-server), python (in-process or "
+      "through a\nservice), browser (the web page without a service), farm (coapt-farm).\n\n"
       "Examples:\n  coapt operations\n  coapt operations --json");
   command.on_run([json, &status] {
     *json ? print_json() : print_text();

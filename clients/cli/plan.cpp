@@ -97,77 +97,68 @@ void add_plan(Command parent, int& status) {
   Command command = parent.add_command("plan", "Search repair plans and rank them");
   command
       .add_option("valve", arguments->valves,
-                  std::string(kValveHelp) + "; several are planned one by one")
+                  std::string(kValveHelp) + "; several valves are planned one after another")
       .required();
   for (const char* name : {"evaluations", "front_share", "seed", "seconds", "plans", "threads",
                            "region_points", "fine_levels", "model_draws", "no_improvement"})
     add_search_option(command, name, options);
   command
-      .add_option("--target", options.target_mm2,
-                  "Stop searching when mean + sd of a plan's leak is at most this (mm2)")
-      .check(number_from(0.0, 1e6));
-  command.add_option("--fix", arguments->fixed, "A plan whose steps every plan must contain");
-  command
       .add_option(
-          "--forbid", arguments->forbidden,
-          "What no plan may contain: annuloplasty, papillary_approximation:saddle_peak, ...")
+          "--target", options.target_mm2,
+          "Stop the search once the leak of a plan (mean + sd) is at or below this value, mm2")
+      .check(number_from(0.0, 1e6));
+  command.add_option("--fix", arguments->fixed,
+                     "Plan file with steps that every plan must include");
+  command
+      .add_option("--forbid", arguments->forbidden,
+                  "Technique that no plan may include: annuloplasty, "
+                  "papillary_approximation:saddle_peak, ... (repeatable)")
       .one_at_a_time();
   command
       .add_option("--ring", arguments->rings,
-                  "A designed ring (coapt.ring/1), offered in all sizes beside the generic shapes; "
-                  "may be given again")
+                  "Also offer a designed ring (coapt.ring/1) in all sizes (repeatable)")
       .show_argument("FILE")
       .one_at_a_time();
   command.add_option("--search", arguments->search,
-                     "Options from a JSON file (io/schema/search.schema.json), weights included");
+                     "Read search options, including cost weights, from a JSON file "
+                     "(io/schema/search.schema.json)");
   command.add_option(
       "--weights", arguments->weights,
-      "Prices that coapt prefer learned (coapt.weights/1), in place of the defaults");
+      "Replace the default cost weights by those learned with coapt prefer (coapt.weights/1)");
   add_store_option(command, arguments->store);
   command.add_flag("--no-evidence", arguments->no_evidence,
-                   "Leave out errors of single sutures and further remodelling");
+                   "Skip the analysis of single sutures and of further remodelling");
   command
       .add_option("--rank", arguments->rank,
-                  "Order of acceptable plans: by the rule of classes, or by the price of each plan")
+                  "Order of acceptable plans: rule (equivalence classes, simplest plan first) or "
+                  "price (cost of each plan)")
       .one_of(std::vector<std::string>{"rule", "price"})
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON");
   command
       .add_option("-o,--report", arguments->report,
-                  "Write a report with pictures (HTML); of several valves, a directory of reports "
+                  "Write a report with pictures (HTML); for several valves, a directory of reports "
                   "and plans")
       .check({refuse_standard_output, "FILE"});
-  add_farm_option(command, arguments->farm, "Searches, each whole,");
+  add_farm_option(command, arguments->farm, "Run each search as a whole");
   add_server_option(command, arguments->server);
   command.footer(
-      "Closures in all: 1 of the valve as it is, at most --evaluations on searching and "
-      "--front-share "
-      "times\n"
-      "as many on what plans trade (from 82 on), then for the ranking at most 65 and 24 of further "
-      "disease\n"
-      "for each of four times --plans finalists and the other nodes of the region "
-      "(--region-points) "
-      "for\n"
-      "each of the best --plans; and 88 to 284 of evidence for each of those: one suture wrong "
-      "alone, all\n"
-      "that is done wrong independently, further remodelling. Then each of the "
-      "best, as "
-      "planned,\n"
-      "and the valve as it is once on a finer mesh (--fine-levels), which has a say in whether a "
-      "plan closes,\n"
-      "and under common draws of tissue and chordae (--model-draws): a rank that does not hold in "
-      "them is a tie.\n\n"
-      "A search that was killed resumes when run again with the same --store, and ends with the "
-      "same\nranking.\n\n"
-      "Ctrl-C stops the search and prints the best so far (exit code 130) when the closures in\n"
-      "progress have ended. A second Ctrl-C ends coapt at once (130 in the shell) and prints "
-      "nothing.\n\n"
-      "Exit code 4 unless the best plan is acceptable: the valve leaks less than 5 mm2 with a "
-      "probability of\n0.95, over errors of the hand, tissue and mesh, and on the finer mesh, too; "
-      "no "
-      "rule of practice rejects\nit, and it opens far enough. Else the ranking starts with the "
-      "least "
-      "bad.\n\n"
+      "Closure budget: 1 for the unrepaired valve; up to --evaluations for the search and "
+      "--front-share\ntimes as many for trade-offs (from 82 on); in the ranking, up to 65, plus 24 "
+      "for progression, for\neach of 4 x --plans finalists, and the other nodes of the region "
+      "(--region-points) for each of the\nbest --plans. Each of these plans takes 88 to 284 more "
+      "for errors of single sutures, independent\nerrors of execution and further remodelling. "
+      "Finally each plan and the unrepaired valve are closed\non a finer mesh (--fine-levels) and "
+      "in the same variants of tissue and chordae (--model-draws). Both\nenter the probability "
+      "that a plan is acceptable; plans that these do not separate are tied.\n\nAn interrupted "
+      "search resumes when run again with the same --store and ends with the same "
+      "ranking.\n\nCtrl-C stops the search and prints the best plans so far (exit code 130) once "
+      "the closures in\nprogress have ended. A second Ctrl-C ends coapt at once (130 in the shell) "
+      "and prints nothing.\n\nThe exit code is 4 unless the best plan is acceptable: the leak is "
+      "below 5 mm2 with a probability\nof 0.95, accounting for errors of execution, tissue and "
+      "mesh, and also on the finer mesh; no rule\nof practice rejects the plan; and the valve "
+      "opens far enough. If no plan is acceptable, plans are\nlisted from the least to the most "
+      "unfavourable.\n\n"
       "Examples:\n"
       "  coapt plan human-functional-mr --seed 1 -o report.html\n"
       "  coapt plan valve.json --fix ring30.json --forbid papillary_approximation:saddle_peak\n"
@@ -184,7 +175,7 @@ void add_plan(Command parent, int& status) {
     arguments->valve = arguments->valves.front();
     if (*service && several)
       status = report_errors(
-          "plan", {{ErrorCode::Unsupported, "", "a service searches one valve's plans at a time"}});
+          "plan", {{ErrorCode::Unsupported, "", "--server accepts one valve at a time"}});
     else if (*service)
       status = run_by(**service, command, *arguments);
     else

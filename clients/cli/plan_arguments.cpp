@@ -50,7 +50,7 @@ int complete_options(const Command& command, PlanArguments& arguments) {
     if (!read) return report_errors(arguments.search, read.errors());
     if (!arguments.weights.empty() && json->contains("weights"))
       return report_errors(arguments.search, {{ErrorCode::UnknownField, "/weights",
-                                               "is not a field here beside --weights"}});
+                                               "is not allowed together with --weights"}});
     const auto keep = [&]<class Value>(const std::string& flag, Value SearchOptions::*member) {
       if (!std::is_same_v<Value, bool> && command.has(flag)) (*read).*member = given.*member;
     };

@@ -9,9 +9,9 @@ namespace coapt {
 
 void add_plan_option(Command command, PlanOption& option) {
   command.add_option("--plan", option.file,
-                     "Repair plan to apply first: coapt.plan/1, what plan --json prints, or the "
-                     "page's saved plans");
-  command.add_option("--rank", option.rank, "Which plan of a file with several")
+                     "Repair plan to apply first: a coapt.plan/1 file, the output of coapt plan "
+                     "--json, or plans saved on the page");
+  command.add_option("--rank", option.rank, "Rank of the plan to use in a file with several plans")
       .check(number_from(1, 100000))
       .show_default();
   command.add_option("--ring", option.ring, kRingHelp).show_argument("FILE[:SIZE]");

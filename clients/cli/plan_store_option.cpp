@@ -11,7 +11,7 @@ namespace coapt {
 void add_store_option(Command command, std::string& path) {
   command
       .add_option("--store", path,
-                  "Keep every closure in this file (SQLite) and take those that are there")
+                  "Store every closure in this file (SQLite) and reuse those already stored")
       .check({refuse_standard_output, "FILE"});
 }
 

@@ -69,14 +69,16 @@ int refuse_options(const Command& command, const PlanArguments& arguments) {
   };
   const bool several = arguments.valves.size() > 1;
   if (command.has("--store"))
-    refuse("--store keeps the closures of one valve's search that runs here; leave it out");
+    refuse("--store is available only for the search of one valve on this machine; leave it out");
   if (arguments.options.seconds > 0.0)
-    refuse("--seconds would let the machine decide the plans of " +
+    refuse("--seconds would make the result depend on the machines, so it is not available for " +
            std::string(several ? "several valves" : "a farm") + "; use --evaluations");
   if (several && arguments.json)
-    refuse("--json prints one valve's plans; of several, DIR/NAME.json has them");
+    refuse(
+        "--json is available for one valve only; the plans of several valves are written to "
+        "DIR/NAME.json");
   if (several && arguments.report.empty())
-    refuse("several valves need a directory for their plans: -o DIR");
+    refuse("several valves require a directory for their plans: -o DIR");
   return errors.empty() ? exit_code::kOk : report_errors("plan", errors);
 }
 
@@ -88,7 +90,8 @@ Expected<std::vector<PlanAnswer>> ask_for(const Asker& asker, const std::vector<
   if (!bytes) return bytes.errors();
   Expected<std::vector<PlanAnswer>> answers = plan_answers(*bytes);
   if (answers && answers->size() != valves.size())
-    return Error{ErrorCode::Unsupported, "", "not as many answers as valves"};
+    return Error{ErrorCode::Unsupported, "",
+                 "the farm returned a different number of results than there are valves"};
   return answers;
 }
 

@@ -127,26 +127,28 @@ int run_valve(const PopulationValveArguments& arguments) {
 void add_population_make(Command parent, int& status) {
   const auto arguments = std::make_shared<PopulationMakeArguments>();
   Command command = parent.add_command(
-      "make", "Draw valves from published distributions: competent, then diseased");
+      "make", "Draw competent valves from published distributions and apply disease to them");
   command.add_option("-n,--number", arguments->count, "Valves")
       .check(number_from(1, 100000))
       .show_default();
-  command.add_option("--seed", arguments->seed, "Other seeds draw other valves")
+  command.add_option("--seed", arguments->seed, "Random seed")
       .check(number_from(std::uint64_t{0}, kLargestSeed))
       .show_default();
   command.add_option("--prior", arguments->prior,
-                     "Distributions (coapt.population_prior/1), - for standard input; adults' "
-                     "(examples/populations/adult.json) if left out");
+                     "Distributions (coapt.population_prior/1), - for standard input (default: "
+                     "adults, examples/populations/adult.json)");
   command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
       .show_default();
-  command.add_option("--threads", arguments->threads, "0: all cores; does not change the valves")
+  command
+      .add_option("--threads", arguments->threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  add_farm_option(command, arguments->farm, "Valves are drawn");
+  add_farm_option(command, arguments->farm, "Draw the valves");
   command.add_flag("--json", arguments->json, "Print the population (coapt.population/1)");
   command.footer(
-      "A valve counts if it leaks at most 5 mm2 before its disease and more after it; other draws "
-      "are\nrejected, and counted. index.html shows what was drawn beside its sources.\n\n"
+      "A draw is accepted if the valve leaks at most 5 mm2 before disease and more after it; "
+      "rejected\ndraws are counted. index.html compares the drawn values with their sources.\n\n"
       "Example:\n"
       "  coapt population make -n 200 --seed 7 -o adults");
   command.on_run([arguments, &status] { status = run_make(*arguments); });
@@ -155,11 +157,13 @@ void add_population_make(Command parent, int& status) {
 void add_population_valve(Command parent, int& status) {
   const auto arguments = std::make_shared<PopulationValveArguments>();
   Command command = parent.add_command("valve", "Write one valve of a population as a valve file");
-  command.add_option("population", arguments->directory, "Directory of population make").required();
-  command.add_option("index", arguments->index, "Which valve, from 0")
+  command
+      .add_option("population", arguments->directory, "Directory written by coapt population make")
+      .required();
+  command.add_option("index", arguments->index, "Index of the valve, starting at 0")
       .required()
       .check(number_from(0, 99999));
-  command.add_flag("--healthy", arguments->healthy, "As it was before its disease");
+  command.add_flag("--healthy", arguments->healthy, "Write the valve before disease");
   command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
       .required();
   command.footer(
@@ -172,7 +176,7 @@ void add_population_valve(Command parent, int& status) {
 
 void add_population(Command parent, int& status) {
   Command population =
-      parent.add_command("population", "Valves drawn from published distributions of anatomy");
+      parent.add_command("population", "Draw valves from published distributions of anatomy");
   population.require_command();
   add_population_make(population, status);
   add_population_valve(population, status);

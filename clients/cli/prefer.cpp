@@ -69,14 +69,14 @@ int take_answer(Interview& interview) {
   const auto question =
       next_question(interview.of.cases, interview.sheet.answers, draw(posterior_of(interview)));
   if (!question)
-    return report_errors("prefer", {{ErrorCode::OutOfRange, "--answer", "nothing is left to ask"}});
+    return report_errors("prefer", {{ErrorCode::OutOfRange, "--answer", "no question is left"}});
   return add_answer(interview, *question, interview.arguments.answer);
 }
 
 /// None to end.
 std::optional<Preference> asked(std::istream& in, std::ostream& out) {
   for (std::string line;;) {
-    out << "Which would you rather do? 1, 2, 0 cannot tell, q ends: " << std::flush;
+    out << "Which plan do you prefer? 1, 2, 0 (cannot decide), q (quit): " << std::flush;
     if (!std::getline(in, line) || line == "q") return {};
     if (line == "1") return Preference::First;
     if (line == "2") return Preference::Second;
@@ -97,7 +97,7 @@ int ask(Interview& interview) {
     }
     const auto question = next_question(interview.of.cases, interview.sheet.answers, draws);
     if (!question) {
-      std::cout << "Nothing is left to ask.\n\n";
+      std::cout << "No question is left.\n\n";
       return exit_code::kOk;
     }
     std::cout << '\n';
@@ -127,7 +127,7 @@ int compare(const Interview& interview) {
     std::cout << json.dump(2) << '\n';
   } else {
     std::cout << counted(found.pairs, "pair") << " answered by both";
-    if (found.pairs > 0) std::cout << ", " << percent(found.share) << " of them alike";
+    if (found.pairs > 0) std::cout << ", " << percent(found.share) << " of them the same way";
     std::cout << "; Cohen's kappa " << fixed(number_of(kappa), 2) << '\n';
   }
   return exit_code::kOk;
@@ -168,37 +168,36 @@ int run(const PreferArguments& arguments) {
 void add_prefer(Command parent, int& status) {
   const auto arguments = std::make_shared<PreferArguments>();
   Command command = parent.add_command(
-      "prefer", "Learn the prices of a search from an expert's comparisons of plans");
-  command
-      .add_option("plans", arguments->plans, "What coapt plan --json printed, a file for each case")
+      "prefer", "Learn cost weights from an expert's pairwise comparisons of plans");
+  command.add_option("plans", arguments->plans, "Output of coapt plan --json, one file per case")
       .required();
   command
-      .add_option(
-          "--answers", arguments->answers,
-          "The answers so far (coapt.answers/1), to which new ones are added; made if it is "
-          "not there")
+      .add_option("--answers", arguments->answers,
+                  "File of answers (coapt.answers/1); new answers are added, and the file is "
+                  "created if missing")
       .required()
       .check({refuse_standard_output, "FILE"});
   command.add_option("-o,--output", arguments->output, "Write the weights (coapt.weights/1)")
       .check({refuse_standard_output, "FILE"});
-  command.add_option("--rater", arguments->rater, "Who answers, kept with the answers");
+  command.add_option("--rater", arguments->rater, "Name of the rater, stored with the answers");
   command.add_flag("--hide-figures", arguments->hide_figures,
-                   "Show what is done alone, without leak, opening and durability");
-  command.add_flag("--next", arguments->next, "Print the next question as JSON and end");
+                   "Show the steps of each plan only, without leak, opening and reserve");
+  command.add_flag("--next", arguments->next, "Print the next question as JSON and exit");
   const std::map<std::string, Preference> words = {
       {"first", Preference::First}, {"second", Preference::Second}, {"unable", Preference::Unable}};
   command
       .add_choice("--answer", arguments->answer, words,
-                  "Answer to that question, before what else is done: first, second or unable")
+                  "Record an answer to that question first: first, second or unable")
       .show_argument("ANSWER");
   command.add_option("--compare", arguments->compare,
-                     "Another rater's answers on the same plans: print how far the two agree");
-  command.add_flag("--json", arguments->json, "Print JSON (coapt.weights/1), ask nothing");
+                     "Answers of another rater on the same plans; print the agreement of the two");
+  command.add_flag("--json", arguments->json,
+                   "Print JSON (coapt.weights/1) without asking questions");
   command.footer(
-      "On a terminal it asks which of two plans you would rather do, always the two whose answer\n"
-      "is expected to say most; every tenth question repeats an earlier one with sides swapped.\n"
-      "Elsewhere it prints the next question (coapt.question/1), unless weights are asked for.\n"
-      "Prices that no answer speaks of stay as they are, and are named.\n\n"
+      "On a terminal, coapt asks which of two plans you prefer, always choosing the pair expected "
+      "to be\nmost informative; every tenth question repeats an earlier one with sides swapped. "
+      "Elsewhere it\nprints the next question (coapt.question/1), unless weights are requested. "
+      "Weights that no answer\nconstrains keep their defaults and are listed.\n\n"
       "Examples:\n"
       "  coapt prefer functional.json prolapse.json --answers mine.json -o weights.json\n"
       "  coapt prefer functional.json --answers mine.json --answer first --next\n"

@@ -64,7 +64,7 @@ AnswersFile read_answers_file(const std::string& path, const std::vector<PlanCas
   if (!sheet) return {report_errors(path, sheet.errors()), {}};
   if (!rater.empty() && rater != sheet->rater) {
     const Error other{ErrorCode::BadReference, "/rater",
-                      "is \"" + sheet->rater + "\", --rater says \"" + rater + '"'};
+                      "is \"" + sheet->rater + "\", which differs from --rater \"" + rater + '"'};
     return {report_errors(path, {other}), {}};
   }
   return {exit_code::kOk, *sheet};

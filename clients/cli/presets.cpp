@@ -29,10 +29,10 @@ void print_text() {
 
 void add_presets(Command parent, int& status) {
   const auto json = std::make_shared<bool>(false);
-  Command command = parent.add_command("presets", "List the valves that coapt brings along");
+  Command command = parent.add_command("presets", "List the preset valves");
   command.add_flag("--json", *json, "Print JSON");
   command.footer(
-      "Every command that takes a valve takes the name of a preset for it.\n\n"
+      "Every command that takes a valve also accepts the name of a preset.\n\n"
       "Examples:\n  coapt presets\n  coapt presets --json");
   command.on_run([json, &status] {
     *json ? print_json() : print_text();

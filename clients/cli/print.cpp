@@ -81,13 +81,13 @@ void print_measure(std::ostream& out, const Json& measure) {
     return section["contact"].get<bool>();
   });
   row(out, "coaptation") << "height min " << rounded(coaptation["height_min_mm"], 1) << ", mean "
-                         << rounded(coaptation["height_mean_mm"], 1) << " mm; contact at "
-                         << touching << " of " << sections.size() << " sections, up to "
-                         << rounded(coaptation["distance_max_mm"], 2)
-                         << " mm from mid-surface to mid-surface";
+                         << rounded(coaptation["height_mean_mm"], 1)
+                         << " mm; leaflets in contact at " << touching << " of " << sections.size()
+                         << " sections, largest distance of mid-surfaces "
+                         << rounded(coaptation["distance_max_mm"], 2) << " mm";
   if (measure.contains("coaptation_area_index"))
     out << "; " << fixed(100.0 * number_of(measure["coaptation_area_index"]), 0)
-        << " % of the leaflets' area";
+        << " % of the leaflet area";
   out << '\n';
   const Json& annulus = measure["annulus"];
   row(out, "annulus") << "AP " << rounded(annulus["ap_mm"], 1) << ", AL-PM "
@@ -114,18 +114,19 @@ void print_limit(std::ostream& out, const Json& convergence) {
   const std::string off = fixed(error, 1) + " mm2";
   out << "    ";
   if (error == 0.0) {
-    out << "the leak does not change any more";
+    out << "the leak no longer changes";
   } else if (meshes == 2) {
-    out << "two meshes show no order; if it is 1, the leak is within " << off << " of its limit";
+    out << "two meshes do not show the order of convergence; assuming 1, the leak is within " << off
+        << " of the mesh-independent value";
   } else if (order >= 0.5) {
-    out << "observed order " << fixed(order, 1) << ": finer meshes would end at "
-        << rounded(convergence["leak_limit_mm2"], 1) << " mm2; the leak is within " << off
-        << " of that";
+    out << "observed order of convergence " << fixed(order, 1) << ": the extrapolated leak is "
+        << rounded(convergence["leak_limit_mm2"], 1)
+        << " mm2, and the leak on the last mesh is within " << off << " of it";
   } else if (std::isfinite(order)) {
-    out << "observed order " << fixed(order, 1) << ", too low to extrapolate: the leak may be "
-        << off << " off";
+    out << "observed order of convergence " << fixed(order, 1)
+        << ", too low to extrapolate: the error of the leak may reach " << off;
   } else {
-    out << "changes swing or grow from mesh to mesh: no order; the last reach " << off;
+    out << "the leak oscillates or diverges from mesh to mesh; the last changes reach " << off;
   }
   out << '\n';
 }
@@ -134,13 +135,13 @@ void print_convergence(std::ostream& out, const Json& convergence) {
   const std::string stop = convergence["stop"];
   const double share = number_of(convergence["within_share"]);
   row(out, "finer meshes")
-      << (stop == "settled" ? "the leak stands"
+      << (stop == "settled" ? "the leak has converged"
           : stop == "most_meshes"
-              ? "the leak has not settled on two meshes; --certainty proof goes on"
+              ? "the leak has not converged on two meshes; --certainty proof refines further"
           : stop == "not_closed"
-              ? "the last closure is not to be trusted; before it the leak did not stand"
-              : "the leak does not stand yet: the next mesh has too many vertices")
-      << " (changes within " << rounded(convergence["within_mm2"], 2) << " mm2"
+              ? "the leak has not converged: the last closure is not reliable"
+              : "the leak has not converged: the next mesh would have too many vertices")
+      << " (tolerance " << rounded(convergence["within_mm2"], 2) << " mm2"
       << (share > 0.0 ? " or " + percent(share) : "") << ")\n"
       << "    triangles      leak    change   seconds\n";
   for (const Json& level : convergence["levels"])
@@ -167,19 +168,20 @@ std::string leak_and_error(const Json& leak) {
 }
 
 std::string draws_words(const Json& draws) {
-  const std::string words = counted(draws["draws"].get<long>(), "draw") + " of tissue and chordae";
+  const std::string words =
+      counted(draws["draws"].get<long>(), "variant") + " of tissue and chordae";
   if (draws["observed"].empty()) return words;
   const bool contradicts = draws["contradicts_model"].get<bool>();
   return words +
-         (contradicts ? ". What was observed "
-                      : ", weighed by what was observed of the valve: they ") +
+         (contradicts ? ". The observation "
+                      : ", weighted by the observations of the valve: they ") +
          weight_words(contradicts, number_of(draws["effective"]));
 }
 
 std::string weight_words(bool contradicts, double effective) {
-  return contradicts ? "contradicts the model: no draw lies within three standard deviations of "
-                       "it, so it weighs none"
-                     : "say as much as " + fixed(effective, 0) + " that weigh alike";
+  return contradicts ? "contradicts the model: no variant lies within three standard deviations of "
+                       "it, so the variants are not weighted"
+                     : "are equivalent to " + fixed(effective, 0) + " of equal weight";
 }
 
 double number_of(const Json& value) {
@@ -204,11 +206,11 @@ void print_closure(std::ostream& out, const Json& closure) {
     row(out, "opening") << opening_in_short(*opening) << '\n';
   if (const auto accuracy = closure.find("accuracy"); accuracy != closure.end())
     row(out, "accuracy") << "at most " << significant(number_of((*accuracy)["error_mm2"]), 3)
-                         << " mm2 asked for: "
+                         << " mm2 requested: "
                          << counted((*accuracy)["refinements"].get<int>(), "refinement")
                          << ", residual " << (*accuracy)["residual_tolerance"].get<double>()
-                         << ", predicted way " << (*accuracy)["way_tolerance_mm"].get<double>()
-                         << " mm\n";
+                         << ", predicted displacement "
+                         << (*accuracy)["way_tolerance_mm"].get<double>() << " mm\n";
   if (const auto convergence = closure.find("convergence"); convergence != closure.end())
     print_convergence(out, *convergence);
   for (const Json& warning : closure["warnings"])

@@ -13,7 +13,7 @@ namespace coapt {
 /// Of coapt.closure/2.
 void print_closure(std::ostream& out, const Json& closure);
 
-/// "45.7 ± 2.1 mm2", or the widest known part of its error: "46 mm2; 16 to 78 mm2 by what is not known of the tissue (5 to 95 %)".
+/// "45.7 ± 2.1 mm2", or the widest known part of its error: "46 mm2; 16 to 78 mm2 with tissue error (5 to 95 %)".
 std::string leak_and_error(const Json& leak);
 
 /// Of "numerical", "tissue" and "execution", of which results of earlier releases have none.

@@ -21,8 +21,10 @@ std::string gradient(const Json& mmhg, const Json& flow) {
 
 /// What speaks against its figures; empty: nothing.
 const char* distrust(const Json& opening) {
-  if (opening["crossing"].get<bool>()) return "leaflets cross, no opening is measured";
-  return opening["status"] == "converged" ? "" : "did not come to rest, no opening is measured";
+  if (opening["crossing"].get<bool>()) return "leaflets cross, so no opening was measured";
+  return opening["status"] == "converged"
+             ? ""
+             : "the leaflets did not reach equilibrium, so no opening was measured";
 }
 
 }  // namespace
@@ -33,8 +35,8 @@ void print_opening(std::ostream& out, const Json& opening) {
       << (problem.empty() ? "open, at rest" : problem) << '\n';
   if (problem.empty()) {
     out << "  opening         " << cm2(opening["opening_area_mm2"])
-        << ", the least surface\n  seen            " << cm2(opening["projected_area_mm2"])
-        << " along the annulus's normal; annulus " << cm2(opening["annulus_area_mm2"])
+        << ", minimal surface\n  projected       " << cm2(opening["projected_area_mm2"])
+        << " along the annular normal; annulus " << cm2(opening["annulus_area_mm2"])
         << " in diastole\n  mean gradient   "
         << gradient(opening["gradient_mmhg"], opening["flow_ml_s"]) << ", "
         << gradient(opening["gradient_exercise_mmhg"], opening["flow_exercise_ml_s"]) << '\n';

@@ -42,9 +42,9 @@ std::vector<std::string> column_of(const Json& plan, const std::string& key) {
   std::vector<std::string> lines = {'[' + key + ']'};
   for (const std::string step : plan["description"]) add_wrapped(lines, step);
   if (plan["description"].empty()) lines.push_back("no repair");
-  add_figure(lines, plan, "leak_mm2", "leaks ", "mm2 over its region");
-  add_figure(lines, plan, "opening_area_mm2", "opens to ", "mm2");
-  add_figure(lines, plan, "durability_mm", "bears ", "mm of further disease");
+  add_figure(lines, plan, "leak_mm2", "leak: ", "mm2, mean over the region");
+  add_figure(lines, plan, "opening_area_mm2", "opening: ", "mm2");
+  add_figure(lines, plan, "durability_mm", "reserve against progression: ", "mm");
   return lines;
 }
 
@@ -71,10 +71,10 @@ void print_question(std::ostream& out, const Json& question) {
 
 void print_weights(std::ostream& out, const Json& learned) {
   out << counted(learned["answers"].get<long>(), "answer") << ", " << learned["unable"]
-      << " of them \"cannot tell\"";
+      << " of them undecided";
   if (!learned["consistency"].is_null())
-    out << "; repeated questions answered alike: " << percent(learned["consistency"]);
-  out << "\n\nprice, mm2             before    learned   factor (90 %)\n";
+    out << "; repeated questions answered the same way: " << percent(learned["consistency"]);
+  out << "\n\nweight, mm2           default    learned   factor (90 %)\n";
   std::string silent;
   for (int term = 0; term < kLearnedTerms; ++term) {
     const std::string name = unknown_name(term);
@@ -91,8 +91,8 @@ void print_weights(std::ostream& out, const Json& learned) {
         << fixed(factor, 2) << ", " << fixed(factor / far, 2) << " to " << fixed(factor * far, 2)
         << '\n';
   }
-  if (!silent.empty()) out << "Answers say little of: " << silent << '\n';
-  out << "An answer's noise is " << fixed(learned["noise_mm2"], 2) << " mm2.\n";
+  if (!silent.empty()) out << "Weights that the answers do not constrain: " << silent << '\n';
+  out << "Response noise (sd): " << fixed(learned["noise_mm2"], 2) << " mm2.\n";
 }
 
 }  // namespace coapt

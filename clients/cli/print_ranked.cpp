@@ -57,7 +57,7 @@ std::string leak_words(const Json& plan) {
   const Json& leak = plan["leak_mm2"];
   const double over_region = number_of(leak["mean"]) + number_of(leak["sd"]);
   const double left = std::isfinite(over_region) ? over_region : number_of(leak["nominal"]);
-  if (!std::isfinite(left)) return "not known";
+  if (!std::isfinite(left)) return "unknown";
   if (left < kTraceLeak_mm2) return "none or trace";
   return left < kMildLeak_mm2 ? "mild" : fixed(left, 0) + " mm2";
 }
@@ -73,7 +73,7 @@ int muscles_sutured(const Json& plan) {
 }
 
 void print_header(std::ostream& out) {
-  out << "rank  leak left      < 5 mm2   bears   opens  gradient  steps   muscles   sizes\n"
+  out << "rank  residual leak  < 5 mm2 reserve opening  gradient  steps   muscles   sizes\n"
       << "                                 mm     cm2      mmHg           sutured   below\n";
 }
 
@@ -97,7 +97,7 @@ void print_beaten(std::ostream& out, const Json& plan) {
   for (const std::string figure : (*beaten)["in"]) words += (words.empty() ? "" : " and ") + figure;
   print_words(out, "      ",
               "plan " + std::to_string((*beaten)["rank"].get<int>()) +
-                  " is at least as good in leak, opening and durability, and better in " + words);
+                  " is at least as good in leak, opening and reserve, and better in " + words);
 }
 
 /// Whether the finer mesh gave it another place.
@@ -120,7 +120,8 @@ void print_fine(std::ostream& out, const Json& plan) {
   if (fine["status"] != "converged" || fine["crossing"].get<bool>())
     words += ", " + fine["status"].get<std::string>() + ", " + crossing_words(fine);
   if (changed_place(plan))
-    words += "; by its own mesh it would rank " + std::to_string(fine["own_mesh_rank"].get<int>());
+    words += "; on the valve's own mesh the plan ranks " +
+             std::to_string(fine["own_mesh_rank"].get<int>());
   print_words(out, "      ", words);
 }
 
@@ -129,17 +130,18 @@ void print_model_draws(std::ostream& out, const Json& result) {
   if (model == result.end() || (*model)["before"].is_null()) return;
   print_words(
       out, "Model: ",
-      counted((*model)["draws"].get<long>(), "draw") +
-          (model->value("fit_drawn", false)       ? " of tissue and of what the fit left uncertain"
-           : model->value("chordae_drawn", false) ? " of tissue and of chordae that were not seen"
+      counted((*model)["draws"].get<long>(), "variant") +
+          (model->value("fit_drawn", false)
+               ? " of tissue and of the parameters that the fit left uncertain"
+           : model->value("chordae_drawn", false) ? " of tissue and of chordae that were not imaged"
                                                   : " of tissue and chordae") +
-          ", the same for all plans" +
-          (result["plans"].empty() ? "" : "; how likely a plan leaks mildly counts them"));
+          ", common to all plans" +
+          (result["plans"].empty() ? "" : "; the probability of a leak below 5 mm2 includes them"));
   if (model->value("observed", Json::array()).empty()) return;
   const bool contradicts = (*model)["contradicts_model"].get<bool>();
   const char* const who =
       contradicts ? "it "
-                  : "the draws are picked as they agree with what was observed of the valve; they ";
+                  : "the variants are weighted by their agreement with the observations; they ";
   print_words(out, "Observed: ", who + weight_words(contradicts, number_of((*model)["effective"])));
 }
 
@@ -151,12 +153,13 @@ void print_fine_mesh(std::ostream& out, const Json& result) {
   const bool complete = std::none_of(plans.begin(), plans.end(),
                                      [](const Json& plan) { return plan["fine"].is_null(); });
   const bool changed = std::any_of(plans.begin(), plans.end(), changed_place);
-  print_words(out, "Finer mesh: ",
-              grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
-                  known((*mesh)["leak_before_mm2"]) + " mm2; " +
-                  (!complete ? "not all plans were closed on it, so it does not order them"
-                   : changed ? "it changes the order of these plans, see there"
-                             : "it leaves the order of these plans as it is"));
+  print_words(
+      out, "Finer mesh: ",
+      grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
+          known((*mesh)["leak_before_mm2"]) + " mm2; " +
+          (!complete ? "it does not affect the ranking, because not all plans were closed on it"
+           : changed ? "it changes the ranking, as noted with each plan"
+                     : "it does not change the ranking"));
 }
 
 /// What gates say against a plan, then what else is to be warned of.
@@ -187,15 +190,15 @@ void print_plan(std::ostream& out, const Json& plan) {
   print_warnings(out, plan);
   if (const auto preferred = plan.find("preferred_over_next");
       preferred != plan.end() && !preferred->is_null())
-    out << "      preferred to the next by an expert of these weights: " << percent(*preferred)
-        << '\n';
+    out << "      probability that an expert with these weights prefers it to the next: "
+        << percent(*preferred) << '\n';
 }
 
 /// What is not among the plans, and why.
 void print_cut(std::ostream& out, const Json& result) {
   for (const Json& cut : result["cut"])
-    print_words(
-        out, "left out: ", cut["what"].get<std::string>() + ": " + cut["why"].get<std::string>());
+    print_words(out, "Not considered: ",
+                cut["what"].get<std::string>() + ": " + cut["why"].get<std::string>());
 }
 
 }  // namespace
@@ -212,8 +215,9 @@ void print_ranked(std::ostream& out, const Json& result) {
     print_words(out, "Diagnosis: ", (*diagnosis)["sentence"].get<std::string>());
   out << '\n';
   if (plans.empty()) {
-    out << (result["stop"] == "exhausted" ? "No plan: what is indicated is left out, see below.\n"
-                                          : "no plan yet\n");
+    out << (result["stop"] == "exhausted"
+                ? "No plan: the indicated techniques were not considered, see below.\n"
+                : "no plan yet\n");
   } else {
     if (const std::string verdict = result.value("verdict", ""); !verdict.empty())  // from 0.3 on
       print_words(out, "", verdict);
@@ -223,9 +227,8 @@ void print_ranked(std::ostream& out, const Json& result) {
   for (const Json& plan : plans) print_plan(out, plan);
   if (std::any_of(plans.begin(), plans.end(),
                   [](const Json& plan) { return plan["pareto"].get<bool>(); }))
-    print_words(
-        out, "* ",
-        "Pareto-optimal among the ranked plans in leak (mean + sd), opening and durability");
+    print_words(out, "* ",
+                "Pareto-optimal among the ranked plans in leak (mean + sd), opening and reserve");
   out << '\n';
   print_fine_mesh(out, result);
   print_model_draws(out, result);
@@ -233,7 +236,7 @@ void print_ranked(std::ostream& out, const Json& result) {
   out << result["closures"] << " closures (" << result["closures_not_converged"]
       << " not converged, " << result["closures_crossed"] << " crossed";
   if (result["closures_known"] > 0)
-    out << ", " << result["closures_known"] << " known from an earlier run";
+    out << ", " << result["closures_known"] << " reused from an earlier run";
   out << ") in " << fixed(number_of(result["seconds"]), 1) << " s\n";
 }
 

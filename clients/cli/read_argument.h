@@ -11,8 +11,8 @@ namespace coapt {
 
 /// Help text of an argument read by read_valve_argument.
 inline constexpr const char* kValveHelp =
-    "Valve file (coapt.valve/1), - for standard input, or the name of a preset if there is no such "
-    "file";
+    "Valve file (coapt.valve/1), - for standard input, or the name of a preset if no such file "
+    "exists";
 
 /// A valve file, standard input ("-"), or a preset if no file has that name.
 Expected<Valve> read_valve_argument(const std::string& argument);

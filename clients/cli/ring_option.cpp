@@ -48,9 +48,10 @@ Expected<RepairStep> read_ring_step(const std::string& argument, const Valve* va
   const RingArgument ring = split(argument);
   if (ring.size_mm) return RepairStep(Annuloplasty{DesignedRing{design->shape, *ring.size_mm}});
   if (valve == nullptr)
-    return Error{ErrorCode::MissingField, "",
-                 "--ring: the valve lies with the service, so its size is not known here: write " +
-                     argument + ":SIZE (mm)"};
+    return Error{
+        ErrorCode::MissingField, "",
+        "--ring: the ring cannot be sized here because the valve is stored on the service; write " +
+            argument + ":SIZE (mm)"};
   return RepairStep(sized_ring(*design, *valve));
 }
 

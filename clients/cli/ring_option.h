@@ -10,7 +10,7 @@
 namespace coapt {
 
 inline constexpr const char* kRingHelp =
-    "Sew in a designed ring (coapt.ring/1), sized by its own rule, or FILE:SIZE in mm";
+    "Implant a designed ring (coapt.ring/1) in the size of its sizing rule, or in SIZE mm";
 
 /// The design in a file, whether or not a size follows its name. Messages begin with the file.
 Expected<RingDesign> read_ring_argument(const std::string& argument);

@@ -66,18 +66,18 @@ bool is_open_to_others(const std::string& url) {
 void add_server_option(Command command, ServerOption& option) {
   command
       .add_option("--server", option.url,
-                  "Run on this coapt-server: http://127.0.0.1:8080, https://...; '': run here")
+                  "Run on this coapt-server, http://127.0.0.1:8080 or https://...; \"\": run here")
       .show_argument("URL")
       .environment("COAPT_SERVER")
       .group("Service");
   command
       .add_option("--token-file", option.token_file,
-                  "Its first line is the service's token; otherwise COAPT_TOKEN is")
+                  "File with the access token in its first line (default: COAPT_TOKEN)")
       .show_argument("FILE")
       .group("Service");
   command
       .add_flag("--plain-http", option.plain_http,
-                "Send the token without encryption (http://) to another machine")
+                "Allow sending the token unencrypted (http://) to another machine")
       .group("Service");
 }
 
@@ -92,14 +92,14 @@ Expected<std::optional<Service>> service_of(const Command& command, const Server
     if (command.has(name))
       problems.add(
           ErrorCode::Unsupported, "",
-          name + ": a service does not offer it; leave it out, or run here with --server ''");
+          name + ": is not available on a service; leave it out, or run here with --server \"\"");
   const Expected<std::string> token = read_token(option.token_file);
   if (!token) problems.add(token.errors().front().code, "", token.errors().front().message);
   if (token && !token->empty() && is_open_to_others(option.url) && !option.plain_http)
     problems.add(ErrorCode::Unsupported, "",
                  "--server: " + option.url +
-                     " is not encrypted: others could read the token on the way; use https://, or "
-                     "--plain-http if the network is yours");
+                     " is not encrypted, so others could read the token; use https://, or "
+                     "--plain-http on a trusted network");
   if (!problems.empty()) return std::move(problems).take();
   return std::optional<Service>(Service{option.url, *token});
 }

@@ -82,12 +82,12 @@ httplib::Client client_of(const std::string& origin, std::chrono::seconds patien
 std::string in_words(httplib::Error error) {
   switch (error) {
     case httplib::Error::Connection:
-      return "no connection; is coapt-server running there, and the address right?";
+      return "no connection; check that coapt-server is running and that the address is correct";
     case httplib::Error::ConnectionTimeout:
       return "no connection within " + std::to_string(kConnect.count()) + " s";
     case httplib::Error::Read:
     case httplib::Error::Write:
-      return "the connection broke off";
+      return "the connection was lost";
     case httplib::Error::SSLConnection:
       return "no encrypted connection can be made (TLS)";
     case httplib::Error::SSLServerVerification:
@@ -103,7 +103,7 @@ Errors unreachable(const Service& service, httplib::Error error) {
 
 Error answer_too_large(const Service& service) {
   return {ErrorCode::InputOutput, "",
-          service.url + " answers with more than the 256 MiB that are taken of a service"};
+          service.url + " answered with more than 256 MiB, the limit for a service's answer"};
 }
 
 Expected<Reply> call_once(const Service& service, const Call& call) {
@@ -138,7 +138,7 @@ Errors problems_of(const Service& service, const Reply& reply) {
   if (json.is_object() && json.contains("problems"))
     if (Errors errors = errors_from_json(json["problems"]); !errors.empty()) return errors;
   return {Error{reply.status >= 500 ? ErrorCode::InputOutput : ErrorCode::Unsupported, "",
-                service.url + " answers with status " + std::to_string(reply.status)}};
+                service.url + " answered with status " + std::to_string(reply.status)}};
 }
 
 bool is_busy(int status) { return status == 429 || status == 503; }

@@ -37,7 +37,7 @@ int show(const StudyArguments& arguments, const Json& study, const Json& finding
     std::cout << study.dump(2) << '\n';
     return exit_code::kOk;
   }
-  if (findings.empty()) std::cout << "No displacement leaks enough to be repaired.\n";
+  if (findings.empty()) std::cout << "No displacement causes a leak large enough to repair.\n";
   for (const Json& finding : findings)
     std::cout << (finding["agrees"].get<bool>() ? "agrees   " : "DIFFERS  ")
               << finding["finding"].get<std::string>() << ": " << finding["ours"].get<std::string>()
@@ -106,8 +106,8 @@ int run_by(const Service& service, StudyArguments arguments) {
   const Expected<ServiceJob> job = run_job(service, "/v1/studies", request, interrupted);
   if (!job) return report_refusal("study", job.errors(), {{"/valve", arguments.valve}});
   if (job->state == "CANCELLED") {
-    std::cerr << "coapt: study: cancelled; the service keeps its closures: request it again to "
-                 "continue\n";
+    std::cerr << "coapt: study: cancelled; the service stores the closures, so repeat the request "
+                 "to continue\n";
     return exit_code::kInterrupted;
   }
   Expected<Json> study = get_json(service, job->path + "/result");
@@ -135,7 +135,7 @@ int run(StudyArguments arguments) {
 }
 
 constexpr const char* kResumes =
-    "A study that was stopped resumes when run again with the same directory.\n\n";
+    "An interrupted study resumes when run again with the same directory.\n\n";
 
 Command add_one(Command parent, int& status, StudyKind kind, const char* help,
                 const std::shared_ptr<StudyArguments>& arguments) {
@@ -148,11 +148,13 @@ Command add_one(Command parent, int& status, StudyKind kind, const char* help,
       .add_option("-o,--output", arguments->directory,
                   "Directory for CSV, SVG, findings.json, index.html and the closures")
       .show_default();
-  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", arguments->threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  command.add_flag("--json", arguments->json, "A summary as JSON on standard output");
-  add_farm_option(command, arguments->farm, "Closures");
+  command.add_flag("--json", arguments->json, "Print a summary as JSON");
+  add_farm_option(command, arguments->farm, "Compute the closures");
   add_server_option(command, arguments->server);
   const std::string name = to_string(kind);
   command.footer(kResumes + ("Example:\n  coapt study " + name + " porcine-thesis -o " + name));
@@ -173,7 +175,7 @@ void add_anchor_options(Command command, const std::shared_ptr<StudyArguments>& 
   ThesisStudyOptions& study = arguments->options;
   command
       .add_option("--protocol", arguments->protocols,
-                  "How the orifice of a position is found (default: both lookups)")
+                  "Method that determines the orifice at a position (default: both lookups)")
       .one_of(names);
   command
       .add_option("--displacement-step", study.approximation.displacement_step_mm,
@@ -182,12 +184,12 @@ void add_anchor_options(Command command, const std::shared_ptr<StudyArguments>& 
       .show_default();
   command
       .add_option("--region-points", study.approximation.region_points,
-                  "Points of the region of interest that are closed, out of 1,089")
+                  "Number of points of the region of interest to close, out of 1,089")
       .check(number_from(17, 1089))
       .show_default();
   command
       .add_option("--scan-sites", study.scan_sites,
-                  "Anchors around the annulus, besides trigone and saddle peak")
+                  "Number of anchors around the annulus, in addition to trigone and saddle peak")
       .check(number_from(0, 360))
       .show_default();
 }
@@ -196,20 +198,21 @@ void add_anchor_options(Command command, const std::shared_ptr<StudyArguments>& 
 
 void add_study(Command parent, int& status) {
   Command study = parent.add_command(
-      "study", "Repeat the thesis's robustness studies on a valve, or go beyond them");
+      "study", "Run the robustness studies of the thesis, and further studies, on a valve");
   study.require_command();
   const auto with = [] { return std::make_shared<StudyArguments>(); };
   add_one(study, status, StudyKind::Annulus,
-          "Anteroposterior dilation 0 to 30 % x annular height (figure 4.5)", with());
-  add_one(study, status, StudyKind::Papillary,
-          "Papillary displacement 0 to 6 mm along three axes (figures 4.6 to 4.8, table 4.1)",
-          with());
-  add_one(study, status, StudyKind::Ring, "Undersized rings x displacement (figure 4.9, table 4.2)",
-          with());
+          "Vary anteroposterior dilation (0 to 30 %) and annular height (figure 4.5)", with());
+  add_one(
+      study, status, StudyKind::Papillary,
+      "Displace the papillary tips by 0 to 6 mm along three axes (figures 4.6 to 4.8, table 4.1)",
+      with());
+  add_one(study, status, StudyKind::Ring,
+          "Combine undersized rings with papillary displacement (figure 4.9, table 4.2)", with());
   const auto approximation = with();
   Command anchors = add_one(
       study, status, StudyKind::Approximation,
-      "Papillary approximation to trigone, saddle peak and around the annulus (figure 4.10)",
+      "Approximate the papillary tips to trigone, saddle peak and around the annulus (figure 4.10)",
       approximation);
   add_anchor_options(anchors, approximation);
   anchors.footer(std::string(kResumes) +
@@ -220,7 +223,8 @@ void add_study(Command parent, int& status) {
   const auto everything = with();
   Command thesis =
       add_one(study, status, StudyKind::Thesis,
-              "All of these, with each finding of the thesis beside this valve's", everything);
+              "Run these four studies and compare each finding of the thesis with this valve's",
+              everything);
   add_anchor_options(thesis, everything);
   thesis.footer(
       std::string(kResumes) +

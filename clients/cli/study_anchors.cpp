@@ -65,23 +65,24 @@ int run(const StudyAnchorsArguments& arguments) {
     if (scanned.competent) ++competent;
     closures += scanned.closures;
   }
-  const std::string lead = std::to_string(competent) + " of " + std::to_string(scan.size()) +
-                           " anatomies are competent when undisturbed and were asked, each by its "
-                           "displacements of 6 mm along any axes that leak more than 20 mm2, " +
-                           std::to_string(question.approximation.region_points) +
-                           " nodes of each region.";
+  const std::string lead =
+      std::to_string(competent) + " of " + std::to_string(scan.size()) +
+      " anatomies are competent when undisturbed and were studied, each at its displacements of 6 "
+      "mm along any axes that leak more than 20 mm2, with " +
+      std::to_string(question.approximation.region_points) + " nodes of each region.";
   const std::string svg = anchor_question_svg(answers);
-  const std::string page = study_page(
-      "When is the trigone the better anchor?", lead,
-      {{"Share of anatomies where the trigone wins",
-        "50 %: the anatomy decides, not the anchor.",
-        svg,
-        {}},
-       {"Which factor decides",
-        "Of the difference trigone less saddle peak: total Sobol index of each factor, and how the "
-        "difference changes from its low end to its high end. Q2 is the share of the variance "
-        "predicted for anatomies left out; below 0.5 the indices mean little.",
-        "", answer_table(answers)}});
+  const std::string page =
+      study_page("Anatomies in which the trigone is the better anchor", lead,
+                 {{"Fraction of anatomies where the trigone is better",
+                   "At 50 % the anatomy decides, not the anchor.",
+                   svg,
+                   {}},
+                  {"Most influential factors",
+                   "Total Sobol index of each factor for the difference between trigone and saddle "
+                   "peak, and the change of that difference from the low to the high end of the "
+                   "factor. Q2 is the fraction of variance predicted for held-out anatomies; below "
+                   "0.5 the indices are unreliable.",
+                   "", answer_table(answers)}});
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"scan.csv", anchor_scan_csv(scan)},
         {"answers.csv", anchor_answers_csv(answers)},
@@ -92,7 +93,7 @@ int run(const StudyAnchorsArguments& arguments) {
     std::cout << to_string(a.protocol) << ", " << to_string(a.displaced) << ", "
               << to_string(a.objective) << ": trigone wins in " << a.trigone_wins << " of "
               << a.anatomies << " (" << a.ties << " ties)\n";
-  std::cout << lead << ' ' << closures << " closures made now, in " << fixed(directory.seconds(), 0)
+  std::cout << lead << ' ' << closures << " new closures in " << fixed(directory.seconds(), 0)
             << " s.\nWritten to " << arguments.directory << "/index.html\n";
   return exit_code::kOk;
 }
@@ -102,12 +103,12 @@ int run(const StudyAnchorsArguments& arguments) {
 void add_anchor_question(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyAnchorsArguments>();
   Command command =
-      parent.add_command("anchors", "When is the trigone the better anchor? A scan over anatomies");
+      parent.add_command("anchors", "Find the anatomies in which the trigone is the better anchor");
   command.add_option("-o,--output", arguments->directory, "Directory for CSV, SVG, index.html")
       .show_default();
   command
       .add_option("--anatomies", arguments->question.anatomies,
-                  "Anatomies drawn by a Latin hypercube")
+                  "Number of anatomies, drawn by Latin hypercube sampling")
       .check(number_from(1, 10000))
       .show_default();
   command.add_option("--seed", arguments->question.seed, "Seed of the Latin hypercube")
@@ -115,17 +116,19 @@ void add_anchor_question(Command parent, int& status) {
       .show_default();
   command
       .add_option("--region-points", arguments->question.approximation.region_points,
-                  "Points of the region of interest that are closed, out of 1,089")
+                  "Number of points of the region of interest to close, out of 1,089")
       .check(number_from(17, 1089))
       .show_default();
-  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", arguments->threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  add_farm_option(command, arguments->farm, "Closures");
+  add_farm_option(command, arguments->farm, "Compute the closures");
   command.footer(
-      "Tips, trigones, saddle and leaflet reserve vary around preset porcine-thesis-tables. A "
-      "few\nthousand closures per anatomy. A scan that was stopped resumes when run again with the "
-      "same directory.\n\n"
+      "Papillary tips, trigones, saddle and leaflet reserve vary around preset "
+      "porcine-thesis-tables. Each\nanatomy takes a few thousand closures. An interrupted scan "
+      "resumes when run again with the same\ndirectory.\n\n"
       "Examples:\n"
       "  coapt study anchors --anatomies 64 -o anchors\n"
       "  coapt study anchors --anatomies 512 --farm postgresql://farm.example/coapt -o anchors");

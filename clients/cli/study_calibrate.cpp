@@ -123,8 +123,9 @@ void add_calibrate(Command parent, int& status) {
       .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
       .show_default();
   command
-      .add_option("--spread", calibration.spread,
-                  "Share of each range, to either side, in which the first anatomies are drawn")
+      .add_option(
+          "--spread", calibration.spread,
+          "Fraction of each range, on either side, from which the first anatomies are drawn")
       .check(number_from(0.0, 1.0))
       .show_default();
   command
@@ -132,18 +133,21 @@ void add_calibrate(Command parent, int& status) {
                   "Number of seeds to fit from; the best fit is kept")
       .check(number_from(1, 1000))
       .show_default();
-  command.add_option("--rounds", calibration.most_rounds, "Rounds of a fit, at most")
+  command.add_option("--rounds", calibration.most_rounds, "Maximum number of rounds of a fit")
       .check(number_from(1, 1000))
       .show_default();
   command.add_flag(
       "--anchors", arguments->anchors,
-      "Keep the fit that agrees best with the thesis's statement on anchors by its look-up");
-  command.add_option("--threads", calibration.threads, "0: all cores; does not change the answer")
+      "Keep the fit that agrees best with the thesis's statement on anchors, using its look-up");
+  command
+      .add_option("--threads", calibration.threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  add_farm_option(command, arguments->farm, "What --anchors closes (the fit itself runs here)");
+  add_farm_option(command, arguments->farm,
+                  "Compute the closures of --anchors (the fit itself runs here)");
   command.footer(
-      "About 20,000 closures per start. A fit that was stopped starts again from the beginning.\n\n"
+      "Each start takes about 20,000 closures. An interrupted fit restarts from the beginning.\n\n"
       "Examples:\n"
       "  coapt study calibrate --seed 2 --spread 0.1 -o tables\n"
       "  coapt study calibrate --starts 4 --anchors -o with-anchors");

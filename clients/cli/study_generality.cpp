@@ -115,16 +115,16 @@ int run(const StudyGeneralityArguments& arguments) {
     closures += valve.closures;
     untrusted += valve.untrusted;
   }
-  const std::string lead = std::to_string(studied.size()) +
-                           " valves; displacements by 2 mm, approximations from those of 6 mm, 17 "
-                           "nodes of each region. The "
-                           "presets but the calibrated ones are mirror-symmetric; random asymmetry "
-                           "goes either way. The random anatomies are the competent ones of " +
-                           std::to_string(drawn) + " drawn. " + std::to_string(configurations) +
-                           " configurations closed, " + std::to_string(untrusted) + " not trusted.";
+  const std::string lead =
+      std::to_string(studied.size()) +
+      " valves; displacements in steps of 2 mm, approximations of those of 6 mm, 17 nodes of each "
+      "region. The presets are mirror-symmetric except for the calibrated ones; random asymmetry "
+      "is of either sign. The random anatomies are the competent ones of " +
+      std::to_string(drawn) + " drawn. " + std::to_string(configurations) +
+      " configurations closed, " + std::to_string(untrusted) + " not trusted.";
   const std::string page =
-      study_page("How general are the thesis's findings?", lead,
-                 {{"On how many valves each holds", "", "", shares_table(shares)}});
+      study_page("Generality of the findings of the thesis", lead,
+                 {{"Number of valves on which each finding holds", "", "", shares_table(shares)}});
   for (const auto& [name, content] :
        {std::pair<std::string, std::string>{"findings.csv", generality_csv(studied)},
         {"shares.csv", finding_shares_csv(shares)},
@@ -133,7 +133,7 @@ int run(const StudyGeneralityArguments& arguments) {
   for (const FindingShare& share : shares)
     if (share.kind.empty())
       std::cout << share.agree << " of " << share.valves << "  " << share.finding << '\n';
-  std::cout << lead << ' ' << closures << " closures made now, in " << fixed(directory.seconds(), 0)
+  std::cout << lead << ' ' << closures << " new closures in " << fixed(directory.seconds(), 0)
             << " s.\nWritten to " << arguments.directory << "/index.html\n";
   return exit_code::kOk;
 }
@@ -143,25 +143,26 @@ int run(const StudyGeneralityArguments& arguments) {
 void add_generality(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyGeneralityArguments>();
   Command command = parent.add_command(
-      "generality", "On what share of many valves each finding of the thesis holds");
-  command.add_option("valves", arguments->valves, "Valve files, besides the presets");
+      "generality", "Measure on what fraction of many valves each finding of the thesis holds");
+  command.add_option("valves", arguments->valves, "Valve files, in addition to the presets");
   command.add_option("-o,--output", arguments->directory, "Directory for CSV and index.html")
       .show_default();
-  command.add_option("--anatomies", arguments->anatomies, "Random ones")
+  command.add_option("--anatomies", arguments->anatomies, "Number of random anatomies")
       .check(number_from(0, 10000))
       .show_default();
   command.add_option("--seed", arguments->seed, "Seed of the random anatomies")
       .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
       .show_default();
-  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", arguments->threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  add_farm_option(command, arguments->farm, "Closures");
+  add_farm_option(command, arguments->farm, "Compute the closures");
   command.footer(
-      "Displacements by 2 mm, approximations by 6 mm, 17 points of each region: about 2,000 "
-      "closures a valve. With --farm sixteen valves are in hand at once; random anatomies are "
-      "drawn "
-      "here.\n\n"
+      "Each valve takes about 2,000 closures: displacements in steps of 2 mm, approximations of "
+      "those of\n6 mm, 17 points of each region. With --farm, sixteen valves are processed at a "
+      "time; random\nanatomies are drawn on this machine.\n\n"
       "Examples:\n"
       "  coapt study generality examples/valves/bodyparts3d.json -o generality\n"
       "  coapt study generality --anatomies 1000 --farm postgresql://farm.example/coapt -o "

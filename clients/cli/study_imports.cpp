@@ -204,7 +204,7 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
   }
   for (const char* stage : kStages)
     std::cout << stage << ": " << summary["stages"][stage] << " of " << rows.size() << '\n';
-  std::cout << "imported with nothing to look at: " << summary["nothing_to_look_at"] << '\n';
+  std::cout << "imported without a decision to check: " << summary["nothing_to_look_at"] << '\n';
   for (const auto& [reason, count] : summary["reasons"].items())
     std::cout << count << " x " << reason << '\n';
   std::cout << "Written to " << (directory / "imports.csv").string() << '\n';
@@ -270,11 +270,11 @@ int run(const StudyImportsArguments& arguments) {
 void add_study_imports(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyImportsArguments>();
   Command command = parent.add_command(
-      "imports", "Import, close and plan every label map of a folder with nothing touched");
+      "imports", "Import, close and plan every label map of a folder without manual intervention");
   command
       .add_option("folder", arguments->folder,
-                  "Label maps (.nrrd, .nii, .nii.gz, .mha), each an import; folders in it, the "
-                  "files of each an import")
+                  "Folder of label maps (.nrrd, .nii, .nii.gz, .mha), each imported by itself; the "
+                  "files of each subfolder are imported together")
       .required();
   command
       .add_option("-o,--output", arguments->directory,
@@ -282,19 +282,19 @@ void add_study_imports(Command parent, int& status) {
       .show_default();
   command
       .add_option("--evaluations", arguments->evaluations,
-                  "Closures of a search for a plan, for each valve that closes; 0: none")
+                  "Closures for a plan search on each valve that closes (0: no search)")
       .check(number_from(0, 100000))
       .show_default();
-  command.add_option("--seed", arguments->seed, "Of chordae that are drawn")
+  command.add_option("--seed", arguments->seed, "Random seed for synthesised chordae")
       .check(number_from(0, 2147483647))
       .show_default();
   command.add_flag("--pictures", arguments->pictures,
-                   "A picture of each: what was given beside the valve made of it");
-  command.add_flag("--json", arguments->json, "The summary as JSON on standard output");
+                   "Write a picture of each import: the input beside the resulting valve");
+  command.add_flag("--json", arguments->json, "Print the summary as JSON");
   command.footer(
-      "A study that was stopped resumes when run again with the same directory: files whose bytes "
-      "are the same are not\nimported again. A map is refused, imported, closed (the closure is to "
-      "be trusted) or planned.\n\n"
+      "An interrupted study resumes when run again with the same directory; unchanged files are "
+      "not\nimported again. The outcome of a map is refused, imported, closed (its closure is "
+      "reliable) or\nplanned.\n\n"
       "Example:\n"
       "  coapt study imports MVSeg2023/train/ -o mvseg --pictures");
   command.on_run([arguments, &status] { status = run(*arguments); });

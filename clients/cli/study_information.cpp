@@ -35,7 +35,7 @@ void print_information(const Json& information) {
   std::cout << printable(information["valve"].get<std::string>()) << ": leak "
             << leak_and_error(information["leak"]) << ", over " << draws_words(information)
             << "\n\n";
-  TableRows table = {{"if it were measured", "of the variance goes", "mm2 (sd) remain"}};
+  TableRows table = {{"measurement", "variance removed", "remaining sd, mm2"}};
   for (const Json& row : information["rows"])
     table.push_back(
         {row["measurement"],
@@ -75,26 +75,27 @@ void add_study_information(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyInformationArguments>();
   Command command = parent.add_command(
       "information",
-      "Which measurement of a valve would say most of its leak, as it is or repaired");
+      "Rank measurements by how much they would reduce the tissue error of the leak");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
   command
       .add_option("--draws", arguments->study.draws,
-                  "Draws of tissue and chordae, closed before and after the plan")
+                  "Number of variants of tissue and chordae, closed before and after the plan")
       .check(number_from(1, 100000))
       .show_default();
   command.add_option("--seed", arguments->study.seed, "Seed of the Latin hypercube")
       .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
       .show_default();
   command
-      .add_option("--threads", arguments->study.threads, "0: all cores; does not change the answer")
+      .add_option("--threads", arguments->study.threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.information/1)");
   add_server_option(command, arguments->server);
   command.footer(
-      "The measurements are of the unrepaired valve, with the errors that they name. What was "
-      "observed already\n(coapt observe) is counted. Examples:\n"
+      "Measurements are of the unrepaired valve and have the errors stated with them. Observations "
+      "already\nstored (coapt observe) are taken into account.\n\nExamples:\n"
       "  coapt study information human-functional-mr\n"
       "  coapt study information valve.json --plan ring.json --json");
   on_run_by(command, "study information", arguments->server, {"--threads"}, status,

@@ -33,7 +33,7 @@ struct StudyModelArguments {
 };
 
 TableRows areas_table(const ModelStudy& study) {
-  TableRows rows = {{"mm2", "as it is", "mean", "model ±", "5 %", "95 %"}};
+  TableRows rows = {{"mm2", "nominal", "mean", "tissue ±", "5 %", "95 %"}};
   const ModelUncertainty& leak = study.leak;
   rows.push_back({"leak", fixed(leak.as_it_is_mm2, 1), fixed(leak.mean_mm2, 1),
                   fixed(leak.sd_mm2, 1), fixed(leak.p5_mm2, 1), fixed(leak.p95_mm2, 1)});
@@ -54,33 +54,33 @@ TableRows parameters_table(const ModelStudy& study) {
 }
 
 std::string lead_of(const ModelStudy& study) {
-  return counted(static_cast<long>(study.draws.size()), "draw") + " of the model's own values, " +
-         std::to_string(study.untrusted) + " not trusted and left out." +
+  return counted(static_cast<long>(study.draws.size()), "draw") + " of tissue and chordae, " +
+         std::to_string(study.untrusted) + " excluded as unreliable." +
          (study.observed.empty()
               ? ""
-              : (study.contradicts ? " What was observed "
-                                   : " They are weighed by what was observed of the valve and ") +
+              : (study.contradicts ? " The observation "
+                                   : " They are weighted by the observations of the valve and ") +
                     weight_words(study.contradicts, study.effective) + ".");
 }
 
 std::string decides_words(const ModelStudy& study) {
-  return "What decides, of the parameters as factors of the valve's own values: Sobol's first and "
-         "total share of the variance, and how the leak changes from a parameter's low end to its "
-         "high end, mm2. Share of the variance predicted for draws left out (Q2; below 0.5 the "
-         "shares say little): " +
+  return "First-order and total Sobol indices of each parameter, given as a factor of the valve's "
+         "own value, and the change of the leak from the low to the high end of the parameter, "
+         "mm2. Fraction of variance predicted for held-out variants (Q2; below 0.5 the indices are "
+         "unreliable): " +
          fixed(study.leak.decided_by.predicted_share, 2) + ".";
 }
 
 std::string page_of(const ModelStudy& study, const std::string& valve) {
   HistogramChart chart{"", "", {}, 1};
-  Sample sample{"leak over the draws", {}};
+  Sample sample{"leak over the variants", {}};
   for (const ModelStudyDraw& draw : study.draws)
     if (draw.trusted) sample.values.push_back(draw.leak_mm2);
   chart.panels.push_back({{"leak", "leak, mm²", "draws"}, "mm²", {std::move(sample)}});
   return study_page(
-      "How much of the answer is the model's: " + valve, lead_of(study),
-      {{"The leak over the draws", "", histogram_chart_svg(chart), areas_table(study)},
-       {"What decides", decides_words(study), "", parameters_table(study)}});
+      "Tissue error of the leak: " + valve, lead_of(study),
+      {{"The leak over the variants", "", histogram_chart_svg(chart), areas_table(study)},
+       {"Sensitivity of the leak", decides_words(study), "", parameters_table(study)}});
 }
 
 int write_all(const StudyModelArguments& arguments, const ModelStudy& study,
@@ -137,10 +137,12 @@ int run(StudyModelArguments arguments) {
 void add_study_model(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyModelArguments>();
   Command command = parent.add_command(
-      "model", "How the leak moves with what the model does not know: tissue, chordae");
+      "model", "Analyse the sensitivity of leak and orifice to uncertain tissue and chordae");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
-  command.add_option("--draws", arguments->study.draws, "Closures, each with values of its own")
+  command
+      .add_option("--draws", arguments->study.draws,
+                  "Number of variants of tissue and chordae to close")
       .check(number_from(1, 100000))
       .show_default();
   command.add_option("--seed", arguments->study.seed, "Seed of the Latin hypercube")
@@ -149,16 +151,16 @@ void add_study_model(Command parent, int& status) {
   command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
       .show_default();
   command
-      .add_option("--threads", arguments->study.threads, "0: all cores; does not change the answer")
+      .add_option("--threads", arguments->study.threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "Bending rigidity, insertion zones, thickness, moduli, transition strains and chordae move\n"
-      "within what their sources allow, as factors of the valve's own values; half of the draws "
-      "lie\non each side of it. Neochordae keep their length. Each draw is another valve: all "
-      "close "
-      "here, not on a\nfarm.\n\n"
+      "Bending rigidity, insertion zones, thickness, moduli, transition strains and chordae vary "
+      "within\nthe ranges of their sources, as factors of the valve's own values; half of the "
+      "variants lie on\neach side of these. Neochordae keep their length. All variants are closed "
+      "on this machine, not on a\nfarm.\n\n"
       "Examples:\n"
       "  coapt study model human-functional-mr -o model\n"
       "  coapt study model valve.json --plan plans.json --rank 2 --draws 128 --json");

@@ -32,7 +32,7 @@ std::string figure_of(const Json& figure) {
 void print_physiology(const Json& physiology) {
   const auto judged = [&](const std::string& name) {
     return physiology[name].get<std::string>() +
-           (physiology[name + "_judged"].get<bool>() ? " (judged)" : "");
+           (physiology[name + "_judged"].get<bool>() ? " (inferred)" : "");
   };
   std::cout << physiology["valve"].get<std::string>() << ": " << judged("kind") << ", "
             << judged("species") << "\n\n";
@@ -45,7 +45,9 @@ void print_physiology(const Json& physiology) {
     if (row["verdict"] == to_string(PhysiologyVerdict::Met)) ++met;
   }
   print_table(std::cout, table);
-  std::cout << '\n' << met << " of " << with_range << " ranges met. Sources: --json\n";
+  std::cout << '\n'
+            << met << " of " << with_range
+            << " quantities are within their ranges. Use --json for the sources.\n";
 }
 
 int run(const StudyPhysiologyArguments& arguments, const std::optional<Service>& service) {
@@ -81,26 +83,30 @@ std::vector<std::string> names_of(const Names& values) {
 void add_study_physiology(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyPhysiologyArguments>();
   Command command = parent.add_command(
-      "physiology", "Loads, strains, rings, opening and clips beside what was measured in hearts");
+      "physiology", "Compare loads, strains, rings, opening and clips with published measurements");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
   command
       .add_option("--kind", arguments->kind,
-                  "Whose ranges hold; left out: healthy below 5 mm2 of leak, else prolapse where "
-                  "chordae are ruptured or leaflets billow, else functional")
+                  "Kind of valve whose ranges apply (default: healthy if the leak is below 5 mm2, "
+                  "else prolapse if chordae are ruptured or leaflets billow, else functional)")
       .one_of(names_of(kValveKinds));
   command
       .add_option("--species", arguments->species,
-                  "Whose ranges hold; left out: porcine if the valve's name says so, else human")
+                  "Species whose ranges apply (default: porcine if the name of the valve says so, "
+                  "else human)")
       .one_of(names_of(kSpecies));
-  command.add_option("--threads", arguments->threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", arguments->threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  command.add_flag("--json", arguments->json, "Print JSON, with the source of each range");
+  command.add_flag("--json", arguments->json, "Print JSON, including the source of each range");
   add_server_option(command, arguments->server);
   command.footer(
-      "Exit code 3 if the valve did not close. A row is met, below or above its range, unknown (a "
-      "closure\nor opening failed), or without a range for this kind of valve.\n\n"
+      "A quantity is within (met), below or above its range, unknown (a closure or opening "
+      "failed), or has\nno range for this kind of valve. The exit code is 3 if the closure did not "
+      "converge.\n\n"
       "Examples:\n"
       "  coapt study physiology human-normal\n"
       "  coapt study physiology valve.json --kind functional --json");

@@ -108,8 +108,8 @@ std::string lead_of(const PopulationStudy& study, const Population& population) 
   return counted(study.members, "valve") + " of the prior \"" + population.prior.name +
          "\" (seed " + std::to_string(population.seed) + "), " + std::to_string(study.not_made) +
          " not made; " + grouped(study.closures) + " closures of repairs, " +
-         grouped(study.failures) + " not trusted. " + assumed_words(population.prior) +
-         " All of it is a model's answer on drawn valves, not a trial.";
+         grouped(study.failures) + " not reliable. " + assumed_words(population.prior) +
+         " All results are model predictions on sampled valves, not a clinical trial.";
 }
 
 /// Name and content.
@@ -164,7 +164,7 @@ int run(StudyPopulationArguments arguments) {
     if (study.tree)
       for (const std::string& line : tree_in_words(study.tree->tree)) std::cout << line << '\n';
     std::cout << lead << "\n"
-              << fixed(seconds, 0) << " s for what was not kept. Written to " << arguments.directory
+              << fixed(seconds, 0) << " s for new closures. Written to " << arguments.directory
               << "/index.html\n";
   }
   return interrupted ? exit_code::kInterrupted : exit_code::kOk;
@@ -175,37 +175,42 @@ int run(StudyPopulationArguments arguments) {
 void add_study_population(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyPopulationArguments>();
   Command command = parent.add_command(
-      "population", "Which repair suits which valve of a population, and a tree that tells");
-  command.add_option("population", arguments->population, "Directory of population make")
+      "population", "Compare repairs across a population and derive a decision tree");
+  command
+      .add_option("population", arguments->population, "Directory written by coapt population make")
       .required();
-  command.add_option("--members", arguments->members, "Only the first ones; 0: all")
+  command
+      .add_option("--members", arguments->members,
+                  "Number of members to use, from the first (0: all)")
       .check(number_from(0, 100000))
       .show_default();
   command
       .add_option("--nodes", arguments->records.nodes,
-                  "Closures of each repair: as planned and disturbed")
+                  "Number of closures of each repair: as planned and disturbed")
       .check(number_from(1, 1089))
       .show_default();
   command
       .add_option("--searched", arguments->searched,
-                  "Held-out valves on which the tree is compared with the full search")
+                  "Number of held-out valves on which the tree is compared with the full search")
       .check(number_from(0, 10000))
       .show_default();
-  command.add_option("--evaluations", arguments->evaluations, "Closures of each of these searches")
+  command
+      .add_option("--evaluations", arguments->evaluations,
+                  "Number of closures of each of these searches")
       .check(number_from(50, 1000000))
       .show_default();
   command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
       .show_default();
   command
       .add_option("--threads", arguments->records.threads,
-                  "0: all cores; does not change the answer")
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
-  add_farm_option(command, arguments->farm, "Valves are repaired and closed");
-  command.add_flag("--json", arguments->json, "Print the findings");
+  add_farm_option(command, arguments->farm, "Repair and close the valves");
+  command.add_flag("--json", arguments->json, "Print the findings as JSON");
   command.footer(
-      "Each valve is closed after up to 34 repairs, each as planned and disturbed. What is closed "
-      "is kept\nin records.bin: a study that was interrupted goes on.\n\n"
+      "Each valve is closed after up to 34 repairs, each as planned and disturbed. Closures are "
+      "stored in\nrecords.bin; an interrupted study resumes from them.\n\n"
       "Example:\n"
       "  coapt population make -n 200 -o adults\n"
       "  coapt study population adults -o repairs");

@@ -51,7 +51,7 @@ void print_case(const Json& made, const std::string& directory) {
             << fixed(made["difficulty"], 2) << " (smallest difference "
             << fixed(made["smallest_difference"], 2) << " times the limit)\n";
   if (made.contains("answer")) {
-    std::cout << "Choice " << made["answer"] << " is shown without pressure.\n";
+    std::cout << "Choice " << made["answer"] << " is the valve shown without pressure.\n";
   } else {
     for (const auto& segment : made["segments"])
       std::cout << "  " << segment["segment"].get<std::string>() << "  "
@@ -112,27 +112,28 @@ int run(const TrainCaseArguments& arguments) {
 void add_train_case(Command parent, int& status) {
   const auto arguments = std::make_shared<TrainCaseArguments>();
   Command command = parent.add_command(
-      "case", "Make a case: valves that look alike until they are pulled or close");
+      "case", "Make a case: valves that look alike until they are pulled or closed");
   command.add_option("valve", arguments->valve, kValveHelp).show_default();
   const std::map<std::string, Exam> exams = {{"A", Exam::A}, {"B", Exam::B}};
   command
       .add_choice("--exam", arguments->exam, exams,
-                  "A: which of four closed valves is it? B: is each segment tethered, normal or "
-                  "prolapsing?")
+                  "A: identify the valve among four closed ones; B: classify each segment as "
+                  "tethered, normal or prolapsing")
       .required()
       .show_argument("A|B");
-  command.add_option("--seed", arguments->seed, "The same seed makes the same case")
+  command.add_option("--seed", arguments->seed, "Random seed; the same seed makes the same case")
       .check(number_from(std::uint64_t{0}, kLargestSeed))
       .required();
   command
-      .add_option("-o,--output", arguments->directory, "Directory for case.json, valves, pictures")
+      .add_option("-o,--output", arguments->directory,
+                  "Directory for case.json, valves and pictures")
       .check({refuse_standard_output, "DIR"})
       .required();
   command.add_flag("--json", arguments->json, "Print case.json (coapt.training_case/1)");
   command.footer(
-      "Lesions are lengths of chordae and places of papillary tips alone. Answers are in "
-      "case.json:\n"
-      "show learners the pictures. Some seeds make no case: then nothing is written.\n\n"
+      "Lesions change only chordal lengths and positions of papillary tips. case.json holds the "
+      "answers, so\nshow learners the pictures only. Some seeds make no case; nothing is then "
+      "written.\n\n"
       "Examples:\n"
       "  coapt train case --exam A --seed 7 -o case-7\n"
       "  coapt train case porcine-thesis --exam B --seed 7 -o case-7 --json");
@@ -142,8 +143,7 @@ void add_train_case(Command parent, int& status) {
 }  // namespace
 
 void add_train(Command parent, int& status) {
-  Command train = parent.add_command(
-      "train", "Exams in valve analysis: make cases, lay out trials, score answers");
+  Command train = parent.add_command("train", "Make, lay out and score exams in valve analysis");
   train.require_command();
   add_train_case(train, status);
   add_train_exam(train, status);

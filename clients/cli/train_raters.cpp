@@ -89,7 +89,7 @@ void print_raters(const Json& result) {
   for (const auto& exam : result["exams"]) {
     std::cout << "Exam " << exam["exam"].get<std::string>() << ", "
               << counted(exam["cases"].get<long>(), "case") << " (" << exam["not_made"]
-              << " seeds gave none), " << fixed(exam["draws"], 1) << " valves drawn for each\n";
+              << " seeds made no case), " << fixed(exam["draws"], 1) << " valves drawn for each\n";
     for (const auto& rater : exam["raters"])
       std::cout << "  " << std::left << std::setw(34) << rater["rater"].get<std::string>()
                 << std::right << std::setw(4) << rater["right"].get<int>() << " of " << std::setw(4)
@@ -159,9 +159,10 @@ int run(const TrainRatersArguments& arguments) {
 void add_train_raters(Command parent, int& status) {
   const auto arguments = std::make_shared<TrainRatersArguments>();
   Command command = parent.add_command(
-      "raters", "Let scripted raters sit exams: do cases leak their answers, does pulling tell?");
+      "raters",
+      "Run scripted raters through exams, to check that answers require pulling the valve");
   command.add_option("valve", arguments->valve, kValveHelp).show_default();
-  command.add_option("--cases", arguments->cases, "Of each exam")
+  command.add_option("--cases", arguments->cases, "Number of cases of each exam")
       .check(number_from(1, 10000))
       .show_default();
   command.add_option("--first-case", arguments->first_case, "Seed of the first case")

@@ -60,9 +60,9 @@ void print_scores(const Json& result) {
   }
   for (const auto& next : result["next"]) {
     std::cout << "Learner " << next["learner"] << ", exam " << next["exam"].get<std::string>()
-              << ": next a case of difficulty " << fixed(next["difficulty"], 1);
+              << ": next case of difficulty " << fixed(next["difficulty"], 1);
     if (!next["repeat"].empty()) {
-      std::cout << "; to repeat: seeds";
+      std::cout << "; repeat seeds";
       for (const auto& repeated : next["repeat"]) std::cout << ' ' << repeated["seed"];
     }
     std::cout << '\n';
@@ -101,8 +101,8 @@ int run(const TrainScoreArguments& arguments) {
 
 void add_train_exam(Command parent, int& status) {
   const auto arguments = std::make_shared<TrainExamArguments>();
-  Command command =
-      parent.add_command("exam", "Lay out a schedule's trials and instruction for a learner");
+  Command command = parent.add_command(
+      "exam", "Generate the trials and instructions of a schedule for a learner");
   command
       .add_option(
           "schedule", arguments->schedule,
@@ -110,7 +110,8 @@ void add_train_exam(Command parent, int& status) {
           "input")
       .required();
   command
-      .add_option("--seed", arguments->seed, "Of the learner: another order of all that is random")
+      .add_option("--seed", arguments->seed,
+                  "Random seed of the learner, which sets the order of the trials")
       .check(number_from(std::uint64_t{0}, kLargestSeed))
       .required();
   command
@@ -120,8 +121,8 @@ void add_train_exam(Command parent, int& status) {
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.training_exam/1)");
   command.footer(
-      "Some seeds make no case. coapt train raters --first-case N --cases M says how many of a\n"
-      "study's seeds make none: if any, give all learners another --first-case.\n\n"
+      "Some seeds make no case. coapt train raters --first-case N --cases M counts such seeds of a "
+      "study;\nif there are any, use another --first-case for all learners.\n\n"
       "Examples:\n"
       "  coapt train exam examples/training/study-1.json --seed 4\n"
       "  coapt train exam examples/training/study-1.json --seed 4 --first-case 101");
@@ -131,10 +132,11 @@ void add_train_exam(Command parent, int& status) {
 void add_train_score(Command parent, int& status) {
   const auto arguments = std::make_shared<TrainScoreArguments>();
   Command command = parent.add_command(
-      "score", "Score trials: right answers, confidence, ability, what comes next");
+      "score", "Score trials: correct answers, confidence, ability and the next case");
   command
-      .add_option("trials", arguments->trials,
-                  "Table of trials (CSV, one row a trial; docs/training.md), - for standard input")
+      .add_option(
+          "trials", arguments->trials,
+          "Table of trials (CSV, one row per trial; docs/training.md), - for standard input")
       .required();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.training_score/1)");
   command.footer(

@@ -142,42 +142,44 @@ void add_valve_calibrate(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveCalibrateArguments>();
   ValveCalibrationOptions& options = arguments->options;
   Command command = parent.add_command(
-      "calibrate", "Move dimensions within bounds until rows of `coapt study physiology` are met");
+      "calibrate", "Adjust dimensions within bounds to meet rows of `coapt study physiology`");
   command
       .add_option("file", arguments->file,
                   "Dimensions, unknowns and targets "
                   "(coapt.calibration/1), - for standard input")
       .required();
   command
-      .add_option(
-          "-o,--output", arguments->directory,
-          "Directory for calibration.json with the values found, result.json, and a file of "
-          "dimensions for each valve")
+      .add_option("-o,--output", arguments->directory,
+                  "Directory for calibration.json with the fitted values, result.json and a file "
+                  "of dimensions for each valve")
       .show_default();
   command
       .add_option("--evaluations", options.evaluations,
-                  "No new round after so many sets of values; a round takes as many as "
-                  "unknowns and eight")
+                  "Start no new round after this many sets of values; a round takes eight more "
+                  "than there are unknowns")
       .check(number_from(1, 1000000))
       .show_default();
   command
       .add_option("--seconds", options.seconds,
-                  "No new round after so long; the answer then depends on the machine")
+                  "Start no new round after this time, s; the result then depends on the machine")
       .check(number_from(0.0, 1e9))
       .show_default("no limit");
   command
       .add_option("--triangles", arguments->triangles,
-                  "About how many triangles the table's rows are of; the search takes 650")
+                  "Approximate number of triangles for the final table; the search uses 650")
       .check(number_from(100, 50000))
       .show_default();
-  command.add_option("--threads", options.threads, "0: all cores; does not change the answer")
+  command
+      .add_option("--threads", options.threads,
+                  "Number of threads (0: all cores); does not change the result")
       .check(number_from(0, 1024))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "All valves of the file come from one healthy one, whose chordae they keep. An unknown names "
-      "numbers\nof the file by JSON pointers; a target is a row's published range, or a band of "
-      "one's own. calibration.json\nis the file with the values found: run it again to go on.\n\n"
+      "All valves of the file derive from one healthy valve and keep its chordae. An unknown "
+      "refers to\nnumbers of the file by JSON pointers; a target is the published range of a row, "
+      "or a given band.\ncalibration.json is the input file with the fitted values; run it again "
+      "to continue.\n\n"
       "Example, minutes:\n"
       "  coapt valve calibrate examples/calibration/human.json -o human\n"
       "  coapt valve make --dimensions human/human-normal.json -o normal.json");

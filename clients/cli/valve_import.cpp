@@ -62,15 +62,16 @@ std::string misused(const ValveImportArguments& arguments) {
   const ImportInputs& inputs = arguments.inputs;
   const bool synthesises = inputs.chordae == kSynthesise;
   if (!inputs.slicerheart.empty() && !synthesises && !inputs.chordae.empty())
-    return "--chordae takes only synthesise with --slicerheart";
+    return "--chordae must be synthesise when used with --slicerheart";
   if (!inputs.chordae.empty() && !synthesises && !inputs.tips.empty())
-    return "--tips takes --chordae synthesise: chordae that were seen begin at their tips";
+    return "--tips requires --chordae synthesise, because imaged chordae already begin at their "
+           "tips";
   if (!inputs.bare.empty() || !inputs.slicerheart.empty()) return "";
   const bool leaflets = !inputs.leaflets.empty() || !inputs.labels.empty();
   if (!leaflets) return "--leaflet is required (or --labels, --slicerheart, or bare files)";
   if (inputs.chordae.empty() && inputs.labels.empty())
-    return "--chordae is required (or --slicerheart); --chordae synthesise draws chordae that were "
-           "not seen from anatomy";
+    return "--chordae is required (or --slicerheart); use --chordae synthesise to generate chordae "
+           "that were not imaged";
   return "";
 }
 
@@ -94,9 +95,9 @@ std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments
     const bool of_drawn = option == "--seed", of_closed = option == "--hidden";
     if (of_closed ? closed : of_drawn == drawn) continue;
     unused.push_back({"options", option + " not used",
-                      of_closed  ? "the leaflets were not taken as closed"
-                      : of_drawn ? "the chordae came with the files"
-                                 : "the chordae are drawn, with branches and slack of their own",
+                      of_closed  ? "the leaflets were not interpreted as closed"
+                      : of_drawn ? "the files contain chordae"
+                                 : "synthesised chordae have their own branches and slack",
                       true});
   }
   return unused;
@@ -104,8 +105,8 @@ std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments
 
 int run(ValveImportArguments& arguments) {
   if (!arguments.abaqus.empty() && any_observed(arguments.observed)) {
-    std::cerr << "coapt: valve import: --leak and its like are of a mitral valve: not with "
-                 "--abaqus\n";
+    std::cerr << "coapt: valve import: observations (--leak, ...) apply to mitral valves and "
+                 "cannot be used with --abaqus\n";
     return exit_code::kBadInput;
   }
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
@@ -156,66 +157,63 @@ int run(ValveImportArguments& arguments) {
 void add_valve_import(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveImportArguments>();
   ImportOptions& options = arguments->options;
-  Command command =
-      parent.add_command("import", "Make a valve from leaflet meshes, annulus and chordae");
+  Command command = parent.add_command(
+      "import", "Make a valve from label maps, or from leaflet meshes, annulus and chordae");
   ImportInputs& inputs = arguments->inputs;
-  command.add_option(
-      "files", inputs.bare,
-      "Files whose part is guessed from name and content, and listed by --json: a label map "
-      "(.nrrd, "
-      ".nii, .nii.gz), meshes, markups, tables; a folder of SlicerHeart, or of a DICOM series");
+  command.add_option("files", inputs.bare,
+                     "Files whose role is detected from name and content (reported by --json): a "
+                     "label map (.nrrd, .nii, .nii.gz), meshes, markups, tables; a SlicerHeart "
+                     "folder or the folder of a DICOM series");
   command
-      .add_option(
-          "--leaflet", inputs.leaflets,
-          "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, or one file with "
-          "both as its parts, or one skirt; sheets or thick shells, which become their "
-          "mid-surfaces")
+      .add_option("--leaflet", inputs.leaflets,
+                  "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, one file "
+                  "with both as parts, or one continuous skirt; sheets, or thick shells, which are "
+                  "reduced to their mid-surfaces")
       .count(1, 2);
   command
       .add_option("--labels", inputs.labels,
-                  "Label map of the leaflets and, perhaps, of the annulus (NRRD, NIfTI or "
-                  "MetaImage), instead")
+                  "Label map of the leaflets and optionally the annulus (NRRD, NIfTI or "
+                  "MetaImage), instead of meshes")
       .excludes("--leaflet");
   command
-      .add_option(
-          "--label", inputs.label_numbers,
-          "Which label of a map, or which part of a file of several, is what, each with a --label "
-          "of its own: anterior=N, posterior=N, annulus=N, several of one if they are its scallops "
-          "(default: by the names in the file, else by what they look like)")
+      .add_option("--label", inputs.label_numbers,
+                  "Label value (or part number of a mesh file) of a structure: anterior=N, "
+                  "posterior=N or annulus=N (repeatable, also for the scallops of a leaflet; "
+                  "default: by the names in the file, else by shape)")
       .one_at_a_time();
   command
       .add_option("--phase", inputs.phase,
-                  "Which of a label map's phases, from 1 (default: the first that has labels)")
+                  "Phase of the label map, starting at 1 (default: the first that has labels)")
       .check(number_from(1, kMostPhases));
   command.add_option("--series", inputs.series,
-                     "Folder of the DICOM series that the labels were drawn on: spacing and frame "
-                     "where the label map has none, else checked");
-  command.add_option(
-      "--annulus", inputs.annulus,
-      "Closed loop: a table with columns x, y, z (CSV, text, .fcsv), a closed curve of Slicer "
-      "(.mrk.json), or lines of OBJ or VTK; without it, it is found along the leaflets' outlines");
-  command.add_option(
-      "--chordae", inputs.chordae,
-      "Insertions and papillary tips, CSV or JSON; or the word synthesise: drawn from "
-      "anatomy, because images show none");
-  command.add_option("--seed", arguments->seed, "Of synthesised chordae; 0: the mean anatomy")
+                     "Folder of the DICOM series that was segmented; supplies spacing and frame if "
+                     "the label map lacks them, otherwise checks them");
+  command.add_option("--annulus", inputs.annulus,
+                     "Annulus as a closed loop: a table with columns x, y, z (CSV, text, .fcsv), a "
+                     "closed curve from Slicer (.mrk.json), or lines in OBJ or VTK (default: "
+                     "detected along the leaflet outlines)");
+  command.add_option("--chordae", inputs.chordae,
+                     "Insertions and papillary tips (CSV or JSON); or the word synthesise, to "
+                     "generate chordae from anatomical data because images show none");
+  command
+      .add_option("--seed", arguments->seed,
+                  "Random seed for synthesised chordae (0: mean anatomy)")
       .check(number_from(0, 2147483647))
       .show_default();
-  command.add_option(
-      "--tips", inputs.tips,
-      "Papillary tips that were seen, for synthesised chordae: CSV of papillary,x,y,z "
-      "lines (papillary AL or PM) or points of Slicer labelled so (.mrk.json)");
+  command.add_option("--tips", inputs.tips,
+                     "Imaged papillary tips for synthesised chordae: CSV lines papillary,x,y,z "
+                     "(papillary AL or PM), or Slicer points with these labels (.mrk.json)");
   command
-      .add_option("--slicerheart", inputs.slicerheart,
-                  "Folder that SlicerHeart's ValveFemExport or `coapt export` wrote, instead")
+      .add_option(
+          "--slicerheart", inputs.slicerheart,
+          "Import a folder written by SlicerHeart's ValveFemExport or `coapt export` instead")
       .excludes("files")
       .excludes("--leaflet")
       .excludes("--labels")
       .excludes("--annulus");
   command
-      .add_option(
-          "--abaqus", arguments->abaqus,
-          "Input file of Abaqus (.inp, shells and trusses, any number of leaflets), instead")
+      .add_option("--abaqus", arguments->abaqus,
+                  "Import an Abaqus .inp file (shells and trusses, any number of leaflets) instead")
       .excludes("files")
       .excludes("--leaflet")
       .excludes("--labels")
@@ -224,46 +222,49 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--slicerheart");
   command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
       .required();
-  command.add_option("--triangles", options.triangles, "About how many triangles")
+  command.add_option("--triangles", options.triangles, "Approximate number of triangles")
       .show_default()
       .check(number_from(100, 100000));
-  command.add_option("--branches", options.branches, "Insertions per chorda")
+  command.add_option("--branches", options.branches, "Number of insertions per chorda")
       .show_default()
       .check(number_from(1, 5));
-  command.add_option("--branch-at", options.branch_at, "Share of the way from tip to insertion")
+  command
+      .add_option(
+          "--branch-at", options.branch_at,
+          "Position of the branching point, as a fraction of the distance from tip to insertion")
       .show_default();
-  command.add_option("--slack", options.slack, "Chordae lengths over straight distances")
+  command.add_option("--slack", options.slack, "Ratio of chordal length to straight distance")
       .show_default();
   const std::map<std::string, TissueReference> references = {
       {to_string(TissueReference::Excised), TissueReference::Excised},
       {to_string(TissueReference::InVivo), TissueReference::InVivo}};
   command
-      .add_choice(
-          "--reference", options.reference, references,
-          "What the meshes show: excised (default), leaflets free of stress; in_vivo, those of the "
-          "unpressurised heart, which are stretched already")
+      .add_choice("--reference", options.reference, references,
+                  "State of the tissue in the meshes: excised (default), stress-free leaflets; "
+                  "in_vivo, leaflets of the unpressurised heart, which are prestretched")
       .show_argument("STATE");
   const std::map<std::string, ImagedState> states = {{"open", ImagedState::Open},
                                                      {"closed", ImagedState::Closed}};
   command
-      .add_choice(
-          "--state", arguments->state, states,
-          "How the leaflets were imaged, open or closed (default: judged from how much of the "
-          "annulus they cover); of closed ones, under pressure, the open ones are derived, with "
-          "--chordae synthesise")
+      .add_choice("--state", arguments->state, states,
+                  "Imaged state of the leaflets, open or closed (default: inferred from how much "
+                  "of the annulus they cover); for leaflets closed under pressure, the open ones "
+                  "are derived (needs --chordae synthesise)")
       .show_argument("STATE");
-  command.add_flag("--closed", arguments->closed, "The same as --state closed")
+  command.add_flag("--closed", arguments->closed, "Same as --state closed")
       .excludes("--reference")
       .excludes("--state");
   command
-      .add_option("--thickness", arguments->thickness,
-                  "Of the tissue: a number of millimetres, or the word measured: the mean of thick "
-                  "leaflets (default: 1 mm, because segmentation thickens by about a voxel)")
+      .add_option(
+          "--thickness", arguments->thickness,
+          "Tissue thickness in millimetres, or the word measured, for the mean thickness of thick "
+          "leaflets (default: 1 mm, because segmentation thickens leaflets by about a voxel)")
       .show_argument("MM")
       .excludes("--abaqus");
   command
       .add_option("--hidden", options.hidden_mm,
-                  "Height of closed leaflets that coaptation hides, mm; coapt fit finds it")
+                  "Leaflet height hidden in coaptation, for closed leaflets, mm (coapt fit can "
+                  "estimate it)")
       .check(number_from(0.0, 15.0))
       .show_default();
   const std::map<std::string, LengthUnit> units = {
@@ -272,64 +273,62 @@ void add_valve_import(Command parent, int& status) {
       {to_string(LengthUnit::Inch), LengthUnit::Inch},
       {to_string(LengthUnit::Metre), LengthUnit::Metre}};
   command
-      .add_choice(
-          "--units", arguments->units, units,
-          "Of the files' lengths: mm, cm, in or m (default: the one in which the circumference of "
-          "the annulus is 70 to 200 mm)")
+      .add_choice("--units", arguments->units, units,
+                  "Unit of length in the files: mm, cm, in or m (default: the unit that gives an "
+                  "annular circumference of 70 to 200 mm)")
       .show_argument("UNIT")
       .excludes("--abaqus");
   const std::map<std::string, PatientAxes> axes = {{to_string(PatientAxes::LPS), PatientAxes::LPS},
                                                    {to_string(PatientAxes::RAS), PatientAxes::RAS}};
   command
       .add_choice("--frame", arguments->axes, axes,
-                  "Patient's axes of meshes and tables: LPS or RAS (default: as each file says, "
-                  "else LPS; markups and label maps always say)")
+                  "Patient axes of meshes and tables: LPS or RAS (default: as stated in each file, "
+                  "else LPS; markups and label maps always state them)")
       .show_argument("AXES")
       .excludes("--slicerheart")
       .excludes("--abaqus");
   command
       .add_flag("--trust-labels", options.trust_labels,
-                "Take the leaflets as labels, names and order say, even if they look the other way "
-                "round")
+                "Trust labels, names and order of the leaflets, even if their shapes suggest the "
+                "opposite")
       .excludes("--abaqus");
   command
       .add_flag("--flip", options.flip,
-                "The atrium is on the other side of the annulus than it looks, where no papillary "
-                "tips tell it")
+                "Reverse the side of the annulus on which the atrium lies, if there are no "
+                "papillary tips to determine it")
       .excludes("--abaqus");
-  command
-      .add_flag("--mirrored", options.mirrored,
-                "The files are a mirror image: every x of them is turned round")
+  command.add_flag("--mirrored", options.mirrored, "Mirror all files (change the sign of x)")
       .excludes("--abaqus");
   command
       .add_flag("--strict", arguments->strict,
-                "Exit with 3 where a decision should be checked against the images; the valve is "
-                "written all the same")
+                "Exit with code 3 if a decision should be checked against the images; the valve is "
+                "still written")
       .excludes("--abaqus");
   add_observed_options(command, arguments->observed, "--observed-by");
   command.add_option("--name", arguments->name, "Name of the valve").show_default("imported");
-  command.add_option("--provenance", arguments->provenance, "Source or licence, kept in the valve");
+  command.add_option("--provenance", arguments->provenance,
+                     "Source or licence, stored in the valve");
   command
       .add_option("--render", arguments->picture,
-                  "Picture of the files beside the valve made of them (PNG)")
+                  "Write a picture of the input beside the resulting valve (PNG)")
       .check({refuse_standard_output, "FILE"})
       .excludes("--abaqus");
   command
-      .add_flag("--json", arguments->json,
-                "Print every decision of the import with its reason (coapt.import/2); -o must be a "
-                "file")
+      .add_flag(
+          "--json", arguments->json,
+          "Print every import decision with its reason (coapt.import/2); -o must then be a file")
       .excludes("--abaqus");
   command.footer(
       "Examples:\n"
       "  coapt valve import --leaflet anterior.obj posterior.obj --annulus annulus.csv \\\n"
       "    --chordae chordae.csv --triangles 1400 -o valve.json\n\n"
-      "Images that show no chordae, and perhaps no papillary tips:\n"
+      "Images without chordae, and possibly without papillary tips:\n"
       "  coapt valve import --leaflet anterior.stl posterior.stl --annulus annulus.mrk.json \\\n"
       "    --chordae synthesise --seed 1 --tips tips.csv -o valve.json\n\n"
-      "Leaflets segmented in systole, then fitted to the same surface:\n"
+      "Leaflets segmented in systole:\n"
       "  coapt valve import --leaflet a.stl p.stl --annulus ring.mrk.json --closed \\\n"
       "    --chordae synthesise -o open.json\n\n"
-      "A segmentation of an echo or CT, and nothing else:\n"
+      "Only a segmentation of an echo or CT image:\n"
       "  coapt valve import segmentation.seg.nrrd -o valve.json\n"
       "  coapt valve import labels.nii.gz --label anterior=4 --label posterior=5 --label annulus=7 "
       "\\\n"
@@ -337,7 +336,7 @@ void add_valve_import(Command parent, int& status) {
       "A folder holds the leaflets and the chordae as .vtk (chordae as lines, or as .csv tables),\n"
       "the annulus as a closed curve and the papillary tips, labelled AL and PM, as .mrk.json:\n"
       "  coapt valve import --slicerheart FEM-model/ -o valve.json\n\n"
-      "A model of another code becomes a coapt.valve/2, which `coapt close` closes:\n"
+      "A finite-element model; it becomes a coapt.valve/2 for `coapt close`:\n"
       "  coapt valve import --abaqus Healthy_QuasiStatic.inp -o trivalve.json");
   command.on_run([arguments, command, &status] {
     if (command.has("--frame")) arguments->inputs.axes = arguments->axes;
@@ -347,13 +346,13 @@ void add_valve_import(Command parent, int& status) {
     if (arguments->closed) arguments->options.closed = true;
     if (command.has("--state")) arguments->options.closed = arguments->state == ImagedState::Closed;
     if (!take_thickness(arguments->thickness, arguments->options)) {
-      std::cerr
-          << "coapt: valve import: --thickness must be a number of millimetres, or measured\n";
+      std::cerr << "coapt: valve import: --thickness must be a number of millimetres or the word "
+                   "measured\n";
       status = exit_code::kBadInput;
       return;
     }
     if (arguments->json && arguments->output == "-") {
-      std::cerr << "coapt: valve import: --json takes standard output, so -o must name a file\n";
+      std::cerr << "coapt: valve import: --json uses standard output, so -o must name a file\n";
       status = exit_code::kBadInput;
       return;
     }

@@ -72,7 +72,7 @@ void print_text(const Valve& valve, const Summary& summary) {
             << "  annulus         saddle peak to mid-posterior "
             << fixed(summary.saddle_to_mid_posterior_mm, 1) << ", between commissures "
             << fixed(summary.commissures_mm, 1) << " mm\n"
-            << "  leaflets        " << fixed(summary.leaflet_area_mm2, 0) << " mm2 unstressed\n"
+            << "  leaflets        " << fixed(summary.leaflet_area_mm2, 0) << " mm2 (unstressed)\n"
             << "  papillary heads " << valve.heads.size() << '\n'
             << "  chordae         " << valve.chordae.size();
   for (const auto& [kind, count] : summary.chordae) std::cout << ", " << count << ' ' << kind;

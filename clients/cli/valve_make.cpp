@@ -71,17 +71,17 @@ int run(const ValveMakeArguments& arguments) {
 
 void add_valve_make(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveMakeArguments>();
-  Command command = parent.add_command("make", "Make a preset, or a valve from dimensions");
+  Command command = parent.add_command("make", "Make a valve from a preset or from dimensions");
   command.add_option("preset", arguments->preset, "Name of a preset").one_of(preset_names());
-  command.add_option("--triangles", arguments->triangles, "About how many triangles")
+  command.add_option("--triangles", arguments->triangles, "Approximate number of triangles")
       .check(number_from(100, 50000));
   command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
       .required();
 
   command
-      .add_option("--dimensions", arguments->file,
-                  "File of dimensions and what disease changed (coapt.dimensions/1); options below "
-                  "go before what it says")
+      .add_option(
+          "--dimensions", arguments->file,
+          "File of dimensions and disease (coapt.dimensions/1); the options below override it")
       .group(kDimensions)
       .show_argument("FILE");
   command.add_option("--name", arguments->name, "Name of the valve").group(kDimensions);
@@ -94,10 +94,11 @@ void add_valve_make(Command parent, int& status) {
         .group(kDimensions)
         .show_default(value ? shown(*value) : "");
   }
-  Option annulus =
-      command.add_option("--annulus", arguments->annulus, "Measured contour, CSV of x,y,z lines")
-          .group(kDimensions);
-  Option tips = command.add_option("--tips", arguments->tips, "Measured papillary tips, CSV")
+  Option annulus = command
+                       .add_option("--annulus", arguments->annulus,
+                                   "Measured annular contour (CSV, lines x,y,z)")
+                       .group(kDimensions);
+  Option tips = command.add_option("--tips", arguments->tips, "Measured papillary tips (CSV)")
                     .group(kDimensions);
   annulus.needs(tips);
   tips.needs(annulus);

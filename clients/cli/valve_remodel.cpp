@@ -14,7 +14,7 @@
 namespace coapt {
 namespace {
 
-constexpr const char* kChanges = "What disease changes";
+constexpr const char* kChanges = "Disease";
 
 struct ValveRemodelArguments {
   std::string valve, file, name, output;
@@ -66,34 +66,34 @@ void add_valve_remodel(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveRemodelArguments>();
   Command command = parent.add_command(
       "remodel",
-      "Disease of a given valve: dilate or flatten the annulus, displace "
-      "papillary tips, grow leaflets, rupture or elongate chordae, change tissue");
+      "Apply disease to a valve: dilate or flatten the annulus, displace papillary tips, enlarge "
+      "leaflets, rupture or elongate chordae, change tissue");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   command
       .add_option("--dimensions", arguments->file,
-                  "File whose remodelling is taken (coapt.dimensions/1), instead of the options "
-                  "below; it knows growth, chordae and tissue, too")
+                  "Take the remodelling, including growth, chordae and tissue, from this file "
+                  "(coapt.dimensions/1) instead of the options below")
       .show_argument("FILE");
   command
       .add_option("--ap-dilation", arguments->change.ap_dilation_percent,
-                  "Anteroposterior dilation, per cent; the transverse dimension is held")
+                  "Anteroposterior dilation, per cent; the transverse diameter is unchanged")
       .group(kChanges)
       .show_default();
   command
       .add_option("--annular-height", arguments->change.annular_height_percent,
-                  "Saddle height, per cent of the present one")
+                  "Saddle height, per cent of its present value")
       .group(kChanges)
       .show_default();
   const auto displacement = [&](const char* name, std::vector<double>& value, const char* help) {
     command.add_option(name, value, help).split_at(',').count(3, 3).group(kChanges).show_default();
   };
   displacement("--displace-al", arguments->anterolateral_mm,
-               "Anterolateral tip: outwards,posterior,apical in mm");
+               "Displacement of the anterolateral tip: outwards,posterior,apical in mm");
   displacement("--displace-pm", arguments->posteromedial_mm,
-               "Posteromedial tip: outwards,posterior,apical in mm");
+               "Displacement of the posteromedial tip: outwards,posterior,apical in mm");
   command
       .add_option("--leaflet-growth", arguments->change.leaflet_growth_percent,
-                  "Of the leaflets' heights, per cent")
+                  "Increase of the leaflet heights, per cent")
       .group(kChanges)
       .show_default();
   std::vector<std::string> scallops;

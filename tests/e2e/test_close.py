@@ -103,7 +103,7 @@ class Close(ProgramTest):
         self.assertNotIn("accuracy", plain)
         words = coapt("close", VALVE, "--accuracy", "100").stdout
         self.assertRegex(words, r"\n  leak +[\d.]+ ± [\d.]+ mm2")
-        self.assertRegex(words, r"\n  accuracy +at most 100 mm2 asked for: 0 refinements, residual 0.1,")
+        self.assertRegex(words, r"\n  accuracy +at most 100 mm2 requested: 0 refinements, residual 0.1,")
 
     def test_finer_meshes_are_closed_until_the_leak_stands(self):
         closure = self.close(VALVE, "--converge", "--within", "100")
@@ -118,7 +118,7 @@ class Close(ProgramTest):
         self.assertAlmostEqual(first["leak_mm2"], self.close(VALVE)["leak_mm2"])
         self.assertNotIn("convergence", self.close(VALVE))
         words = coapt("close", VALVE, "--converge", "--within", "0", "--most-vertices", "2000").stdout
-        self.assertIn("the leak does not stand yet: the next mesh has too many vertices", words)
+        self.assertIn("the leak has not converged: the next mesh would have too many vertices", words)
         self.assertRegex(words, r"\n +2,592 +\d+\.\d +-?\d+\.\d +\d+\.\d\d\n")
 
     def test_what_belongs_to_finer_meshes_is_refused_without_them(self):
@@ -131,11 +131,11 @@ class Close(ProgramTest):
         for wanted in ["0.0001", "0.1"]:
             result = coapt("close", VALVE, "--accuracy", wanted)
             self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
-            self.assertRegex(result.stderr, rf"--accuracy: is {wanted}, must be at least \S+ mm2, what the ")
+            self.assertRegex(result.stderr, rf"--accuracy: is {wanted}, must be at least \S+ mm2, the ")
         self.assertEqual(coapt("close", VALVE, "--accuracy", "1", "--converge").returncode, BAD_INPUT)
         result = coapt("close", VALVE, "--accuracy", "1", "--method", "thesis")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
-        self.assertIn("method fast only", result.stderr)
+        self.assertIn("only for method fast", result.stderr)
         self.assertEqual(coapt("close", VALVE, "--accuracy", "-1").returncode, BAD_INPUT)
 
     def test_the_picture_is_a_png_and_stdout_is_still_json(self):

@@ -85,7 +85,7 @@ class Evaluate(ProgramTest):
         self.assertIsNone(answer["plans"][0]["probability_outranks_next"])
         words = coapt("evaluate", small_valve(), self.mild, *SMALL)
         self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
-        self.assertIn("\nNo plan is acceptable: the first one leaks less than 5 mm² with a probability", words.stdout)
+        self.assertIn("\nNo plan is acceptable; plan 1 leaks less than 5 mm² with a probability", words.stdout)
         self.assertIn(f"{self.mild}:\n", words.stdout)
 
     def test_the_report_is_that_of_a_search_without_a_search(self):
@@ -95,7 +95,7 @@ class Evaluate(ProgramTest):
         page = report.read_text()
         for words in [
             "How the plans were scored",
-            "The plans were given",
+            "The given plans were scored",
             "not a medical device",
             "coapt evaluate human-functional-mr",
             "<img ",

@@ -57,10 +57,10 @@ class Export(ProgramTest):
         files = [part for output in outputs for part in ("-o", output)]
         said = self.run_ok("export", "human-normal", "--plan", plan, *files).stderr.splitlines()
         self.assertEqual(
-            [line for line in said if "ties" in line],
+            [line for line in said if "edge-to-edge" in line],
             [
-                f"coapt: {outputs[1]}: the ties of the edge-to-edge repair are not kept; a valve that is imported from "
-                "this has none"
+                f"coapt: {outputs[1]}: this format does not store the edge-to-edge repair; a valve imported from the "
+                "file lacks it"
             ],
         )
         self.assertEqual(self.run_ok("export", "human-normal", "-o", outputs[1]).stderr, "")

@@ -63,7 +63,7 @@ class Fit(ProgramTest):
         self.assertGreater(found["hypotheses"][0]["rms_mm"], found["rms_mm"])
         self.assertEqual(found["hypotheses_left_out"], [])
         valve = json.loads(fitted.read_text())
-        self.assertIn("marginal chordae of P2 taken as ruptured", valve["provenance"][-1])
+        self.assertIn("marginal chordae of P2 assumed ruptured", valve["provenance"][-1])
         self.assertEqual(sum(chorda["ruptured"] for chorda in valve["chordae"]), 2)
         table = coapt("fit", whole, "--closed", closed, *options, "--ruptured", "--rounds", "1").stdout
         self.assertRegex(table, r"ruptured_P2 .* taken")
@@ -100,7 +100,7 @@ class Fit(ProgramTest):
         given, _, closed = self.displaced()
         run = coapt("fit", given, "--closed", closed, "--rounds", "1", "-o", self.folder / "f.json")
         self.assertEqual(run.returncode, NOT_CLOSED)
-        self.assertIn("stopped before it came to rest (--rounds)", run.stdout)
+        self.assertIn("stopped before convergence (--rounds)", run.stdout)
         timed = coapt("fit", given, "--closed", closed, "--seconds", "0.1", "--json", "-o", self.folder / "f.json")
         self.assertEqual(timed.returncode, NOT_CLOSED)
         self.assertEqual(json.loads(timed.stdout)["stop"], "time_limit")

@@ -122,9 +122,9 @@ class LabelMaps(ProgramTest):
         self.assertIn("--label/anterior: is 9", self.refused(image, "--label", "anterior=9"))
         self.assertIn("is no ring", self.refused(image))
         self.assertIn("has no DICOM image", self.refused(image, "--series", SHEETS))
-        self.assertIn("does not tell what it holds", self.refused(SOURCE / "README.md"))
+        self.assertIn("has an unknown role", self.refused(SOURCE / "README.md"))
         self.assertIn(
-            "the series places a label map",
+            "--series applies only to a label map",
             self.refused(
                 "--leaflet",
                 SHEETS / "anterior_leaflet_sheet.obj",

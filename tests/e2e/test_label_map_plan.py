@@ -78,7 +78,7 @@ def rms(values):
 
 def assert_report(test, page):
     """A page with pictures that says where the valve comes from."""
-    wanted = ("<!DOCTYPE html>", "data:image/png;base64,iVBOR", f"not seen; drawn from anatomy with seed {SEED}")
+    wanted = ("<!DOCTYPE html>", "data:image/png;base64,iVBOR", f"not imaged; synthesised from anatomical data with seed {SEED}")
     test.assertEqual([words for words in wanted if words not in page], [])
 
 
@@ -112,14 +112,14 @@ class CommandLine(ProgramTest):
                 decisions, f"{side} leaflet", "thick shell (closed surface) replaced by its mid-surface"
             )
         self.assert_decided(decisions, "state", "imaged open")
-        self.assert_decided(decisions, "thickness", "tissue keeps 1 mm; the shells measure 1.")
-        self.assert_decided(decisions, "chordae", f"not seen; drawn from anatomy with seed {SEED}")
+        self.assert_decided(decisions, "thickness", "the tissue thickness remains 1 mm; the shells measure 1.")
+        self.assert_decided(decisions, "chordae", f"not imaged; synthesised from anatomical data with seed {SEED}")
         self.assertFalse([decision for _, decision, look in decisions if look])
         self.assert_closes(valve)
 
     def test_a_map_of_leaflets_alone_has_its_annulus_found_and_looked_at(self):
         valve, decisions = self.imported("bare.nrrd")
-        self.assert_decided(decisions, "annulus", "not given; found along the leaflets' outlines", look=True)
+        self.assert_decided(decisions, "annulus", "not given; detected along the leaflet outlines", look=True)
         self.assertEqual([about for about, _, look in decisions if look], ["annulus"])
         self.assert_closes(valve)
 

@@ -36,7 +36,7 @@ class Observe(ProgramTest):
             (("--leak", "30", "--leak-sd", "-1"), "0.01"),
             (("--leak", "nan", "--leak-sd", "8"), "2000"),
             (("--leak", "1e9", "--leak-sd", "8"), "2000"),
-            ((), "what was observed is required"),
+            ((), "an observation is required"),
         ]:
             with self.subTest(arguments):
                 result = coapt("observe", "human-functional-mr", *arguments, "-o", self.folder / "none.json")

@@ -116,7 +116,7 @@ class Plan(ProgramTest):
         )
         self.assertEqual([plan["under_draws"] for plan in own["plans"]], [None] * len(plans))
         self.assertEqual({plan["cost"] for plan in own["plans"]}, {plan["cost"] for plan in plans})
-        self.assertRegex(words(), r"\nModel: 8 draws of tissue and chordae")
+        self.assertRegex(words(), r"\nModel: 8 variants of tissue and chordae")
 
     def test_no_more_plans_than_asked_for(self):
         for changes in [{"region_points": 2}, {"region_points": 1}]:
@@ -177,7 +177,7 @@ class Plan(ProgramTest):
         told = coapt("plan", valve, *options(evaluations=3, **BARE))
         self.assertEqual(told.returncode, NO_COMPETENT_PLAN)
         self.assertRegex(
-            told.stdout, r"\nNo plan is acceptable: the first one leaks less than 5 mm² with a probability"
+            told.stdout, r"\nNo plan is acceptable; plan 1 leaks less than 5 mm² with a probability"
         )
         self.assertRegex(told.stdout, r"\n +1  \S+ ")
 
@@ -244,7 +244,7 @@ class Plan(ProgramTest):
         self.assertEqual([best["leak_mm2"][key] for key in ["mean", "sd", "worst"]], [None] * 3)
         told = coapt(*arguments).stdout
         self.assertRegex(told, r"\n +1  [a-z ]+ - +- ")
-        self.assertIn("It is not known whether a plan is acceptable", told)
+        self.assertIn("It is unknown whether a plan is acceptable", told)
         self.assertNotIn("region of interest", told)
 
     def test_without_any_plan_there_is_no_table(self):

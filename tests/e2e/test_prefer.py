@@ -53,7 +53,7 @@ class Prefer(ProgramTest):
         self.assertGreater(weights["weights"]["step"], 1.0)
         self.assertLess(weights["weights"]["leak"], 1.0)
         self.assertIn(
-            "Answers say little of",
+            "Weights that the answers do not constrain",
             self.run_ok("prefer", self.plans, "--answers", self.answers, "-o", self.folder / "weights.json").stdout,
         )
         refused = coapt("prefer", self.plans, "--answers", self.answers, "--answer", "first")

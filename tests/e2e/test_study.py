@@ -175,7 +175,7 @@ class Model(ProgramTest):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), 24)
         self.assertEqual(list(rows[0])[:9], PARAMETERS)
-        self.assertIn("The leak over the draws", (folder / "index.html").read_text())
+        self.assertIn("Distribution of the leak", (folder / "index.html").read_text())
         one, _ = self.study("one", "--draws", "24", "--threads", "1")
         self.assertEqual(one, found)
 
@@ -188,7 +188,7 @@ class Model(ProgramTest):
         ringed, _ = self.study("ringed", "--draws", "3", "--plan", plan)
         self.assertLess(ringed["leak"]["as_it_is_mm2"], bare["leak"]["as_it_is_mm2"])
         words = self.run_ok("study", "model", VALVE, "--draws", "3", "-o", self.folder / "words").stdout
-        self.assertRegex(words, r"\nmm2 +as it is +mean +model ± +5 % +95 %\nleak +\d")
+        self.assertRegex(words, r"\nmm2 +nominal +mean +tissue ± +5 % +95 %\nleak +\d")
 
     def test_too_few_draws_are_refused(self):
         result = coapt("study", "model", VALVE, "--draws", "0")
@@ -217,7 +217,7 @@ class Physiology(ProgramTest):
 
     def test_ranges_are_of_the_kind_that_is_said(self):
         words = self.run_ok("study", "physiology", small_valve("human-normal"), "--kind", "functional").stdout
-        self.assertIn("functional, human (judged)", words)
+        self.assertIn("functional, human (inferred)", words)
         self.assertRegex(words, r"Leak at the valve's own pressure +\S+ +20 +60 +mm2 +below")
 
 

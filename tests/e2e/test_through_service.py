@@ -322,7 +322,7 @@ class Interrupted(ThroughService):
         os.killpg(run.pid, signal.SIGINT)
         _, err = run.communicate(timeout=HANGS_S)
         self.assertEqual(run.returncode, INTERRUPTED)
-        self.assertIn("request it again to continue", err)
+        self.assertIn("repeat the request to continue", err)
 
     def test_a_search_is_followed_over_the_death_of_its_service(self):
         relay = Relay(self.server.port)
@@ -334,7 +334,7 @@ class Interrupted(ThroughService):
         relay.target = self.server.port
         out, _ = run.communicate(timeout=HANGS_S)
         self.assertEqual(
-            without_seconds(re.sub(r", \d+ known from an earlier run", "", out)),
+            without_seconds(re.sub(r", \d+ reused from an earlier run", "", out)),
             without_seconds(coapt("plan", VALVE, *options(evaluations=20, **BARE)).stdout),
         )
 

@@ -394,7 +394,7 @@ class Import(ProgramTest):
         self.assertEqual(result.returncode, BAD_INPUT)
         self.assertIn("--thickness must be", result.stderr)
         result = coapt("valve", "import", "--leaflet", *leaflets, *given, "--thickness", "measured")
-        self.assertIn("needs thick leaflets", result.stderr)
+        self.assertIn("requires thick leaflets", result.stderr)
 
     def test_a_mesh_that_is_none_is_named(self):
         mesh = self.write("leaflet.obj", "v 1 2\n")
