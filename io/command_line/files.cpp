@@ -52,7 +52,7 @@ Expected<std::string> read_input(const std::string& path) {
 }
 
 std::string refuse_standard_output(const std::string& path) {
-  return path == "-" ? "standard output carries the result, so this needs a file" : "";
+  return path == "-" ? "must be a file, because the result is written to standard output" : "";
 }
 
 int check_output(const std::string& path) {
@@ -80,7 +80,7 @@ Errors make_directory(const std::string& path) {
   std::error_code failed;
   std::filesystem::create_directories(path, failed);
   if (!failed) return {};
-  return {Error{ErrorCode::InputOutput, "", path + ": cannot be made: " + failed.message()}};
+  return {Error{ErrorCode::InputOutput, "", path + ": cannot be created: " + failed.message()}};
 }
 
 std::string shell_quoted(const std::string& word) {

@@ -115,18 +115,18 @@ Errors check(const std::vector<Slice>& slices) {
   const Slice& first = slices.front();
   for (const Slice& slice : slices) {
     if (slice.series != first.series)
-      return {refused("has images of several series; must hold one: move the others away")};
+      return {refused("has images of several series; must hold only one, so remove the others")};
     if (slice.size != first.size || slice.oriented != first.oriented ||
         slice.spacing_mm != first.spacing_mm ||
         (slice.along_row - first.along_row).norm() > kSameDirection ||
         (slice.along_column - first.along_column).norm() > kSameDirection ||
         slice.position_mm.has_value() != first.position_mm.has_value())
-      return {refused("has images of different size, spacing or direction; must be one volume")};
+      return {refused("has images of different size, spacing or direction; must form one volume")};
   }
   const bool square = std::abs(first.along_row.norm() - 1.0) < kSameDirection &&
                       std::abs(first.along_column.norm() - 1.0) < kSameDirection &&
                       std::abs(first.along_row.dot(first.along_column)) < kSameDirection;
-  if (!square) return {refused("has directions of rows and columns that are not at right angles")};
+  if (!square) return {refused("has row and column directions that are not orthogonal")};
   return {};
 }
 
@@ -140,8 +140,8 @@ Expected<Vec3> step_mm(const std::vector<Slice>& slices, const Vec3& normal) {
     const Vec3 off = *slices[i].position_mm - *first.position_mm - static_cast<double>(i) * step;
     if (!(off.norm() <= kSameSpacing * step.norm() + 1e-9) || !(step.norm() > 0.0))
       return refused(
-          "has images at unequal distances, or twice at one place (phases of a heart "
-          "beat?); must be one volume");
+          "has images at unequal distances, or several at one position (phases of the cardiac "
+          "cycle?); must form one volume");
   }
   return step;
 }
@@ -182,8 +182,8 @@ Expected<ImageGeometry> read_series_geometry(const std::vector<std::string>& pat
   check_voxel_steps(image.to_lps_mm, "", problems);
   if (!problems.empty())
     return refused(
-        "does not say how large its voxels are (pixel spacing, and the distance of its "
-        "images), or what it says is not from 0.01 to 20 mm");
+        "does not state its voxel size (pixel spacing and distance between images), or states one "
+        "outside 0.01 to 20 mm");
   return image;
 }
 

@@ -148,7 +148,7 @@ Reader::TakeLine Reader::elements(const Keyword& keyword) {
   const auto type = corners.find(keyword.get("TYPE"));
   if (type == corners.end()) {
     refuse(ErrorCode::Unsupported, "has elements of type '" + keyword.get("TYPE") +
-                                       "'; S4R, S4, S3R, S3 and T3D2 are read");
+                                       "'; supported are S4R, S4, S3R, S3 and T3D2");
     return {};
   }
   const std::string set = keyword.get("ELSET");
@@ -234,7 +234,7 @@ Reader::TakeLine Reader::open_model(const Keyword& k) {
     return [this, &surface](const Fields& f) {
       const std::string side = f.size() > 1 ? capitals(f[1]) : "";
       if (side != "SPOS" && side != "SNEG") {
-        refuse(ErrorCode::Unsupported, "has a surface without side; SPOS and SNEG are read");
+        refuse(ErrorCode::Unsupported, "has a surface without a side; supported are SPOS and SNEG");
         return;
       }
       surface.parts.push_back({capitals(f[0]), side == "SPOS"});
@@ -252,7 +252,7 @@ Reader::TakeLine Reader::open_material(const Keyword& k) {
   if (k.name == "HYPERELASTIC") {
     const std::size_t terms = static_cast<std::size_t>(to_integer(k.get("N")).value_or(1));
     if (!k.has("OGDEN") || terms < 1 || terms > 6) {
-      refuse(ErrorCode::Unsupported, "is read as OGDEN with N from 1 to 6 only");
+      refuse(ErrorCode::Unsupported, "is supported only as OGDEN with N from 1 to 6");
       return {};
     }
     return [this, &material, terms](const Fields& f) {
@@ -300,12 +300,13 @@ Reader::TakeLine Reader::open(const Keyword& k) {
       (k.name == "ANISOTROPIC HYPERELASTIC" && k.has("USER")))
     return open_material(k);
   if (k.name == "STEP") {
-    if (++steps_ > 1) refuse(ErrorCode::Unsupported, "begins a second step; one is read");
+    if (++steps_ > 1)
+      refuse(ErrorCode::Unsupported, "begins a second step; only one step is supported");
     return {};
   }
   if (k.name == "BOUNDARY" || k.name == "DSLOAD") return open_step(k);
   if (!passed_over().contains(k.name))
-    refuse(ErrorCode::Unsupported, "has the keyword *" + k.name + ", which is not read");
+    refuse(ErrorCode::Unsupported, "has the keyword *" + k.name + ", which is not supported");
   return {};
 }
 

@@ -75,7 +75,7 @@ std::optional<Error> Conversion::number_vertices() {
     const auto set = model_.element_sets.find(section.elements);
     if (set == model_.element_sets.end() || !model_.materials.contains(section.material))
       return Error{ErrorCode::BadReference, "/lines/" + std::to_string(section.line),
-                   "names an element set or a material that is not there"};
+                   "names an element set or a material that does not exist"};
     for (const int e : set->second) {
       const auto element = model_.elements.find(e);
       const std::size_t corners =
@@ -120,7 +120,7 @@ std::optional<Error> Conversion::add_leaflets() {
     if (!section.material.starts_with("VUANISO_ISO") || material.constants.size() != 4)
       return Error{ErrorCode::Unsupported, "/lines/" + std::to_string(section.line),
                    "has the material " + section.material +
-                       "; exponential ones are read (VUANISO_ISO*, four constants)"};
+                       "; supported are exponential ones (VUANISO_ISO*, four constants)"};
     const auto leaflet = static_cast<int>(valve_.leaflets.size());
     const std::vector<double>& c = material.constants;
     valve_.leaflets.push_back({leaflet_called(section.elements),
@@ -290,12 +290,12 @@ std::optional<Error> Conversion::add_loads() {
   const AbaqusPressure& pressure = model_.pressures.front();
   const auto surface = model_.surfaces.find(local(pressure.surface));
   if (surface == model_.surfaces.end() || surface->second.parts.empty())
-    return Error{ErrorCode::BadReference, "/pressure", "acts on a surface that is not there"};
+    return Error{ErrorCode::BadReference, "/pressure", "acts on a surface that does not exist"};
   const bool positive = surface->second.parts.front().positive;
   for (const auto& part : surface->second.parts)
     if (part.positive != positive)
       return Error{ErrorCode::Unsupported, "/pressure",
-                   "acts on both sides of the shells; one side is read"};
+                   "acts on both sides of the shells; only one side is supported"};
   // It pushes against the side it acts on: from the ventricle.
   flipped_ = positive == (pressure.mpa > 0.0);
   valve_.pressure_kpa = kKpaPerMpa * std::abs(pressure.mpa);

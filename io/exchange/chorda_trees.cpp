@@ -175,9 +175,8 @@ std::vector<ImportedChorda> chorda_trees(const std::vector<TracedLine>& lines,
     if (tip) chordae[i].pressed_tip_mm = tip->pressed_mm;
     if (!labelled && medial.norm() == 0.0)
       add(lines[trunks[i]], ErrorCode::MissingField,
-          "begins at a tip whose side is not known: label the papillary tips AL or PM (a list "
-          "named "
-          "papillary, .mrk.json), or give an anterior and a posterior leaflet",
+          "begins at a tip of unknown side; label the papillary tips AL or PM (a list named "
+          "papillary, .mrk.json), or provide an anterior and a posterior leaflet",
           problems);
     const bool is_medial = (chordae[i].tip_mm - mean_tip).dot(medial) > 0.0;
     chordae[i].side = labelled.value_or(is_medial ? Side::Posteromedial : Side::Anterolateral);

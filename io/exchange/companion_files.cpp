@@ -85,7 +85,7 @@ Expected<CompleteFiles> completed(std::vector<NamedFile> files) {
     if (found.size() < companions->size()) {
       problems.add(ErrorCode::MissingField, path,
                    "names " + std::to_string(companions->size() - found.size()) +
-                       " other files that were not given; give them beside it");
+                       " other files that are missing; provide them together with it");
       continue;
     }
     if (format_of(files[i].name) == "vtm") {
@@ -94,15 +94,15 @@ Expected<CompleteFiles> completed(std::vector<NamedFile> files) {
         if (!pieces[k].name.empty())
           files[found[k]].name = pieces[k].name + '.' + format_of(files[found[k]].name);
       gone[i] = true;
-      complete.decisions.push_back(
-          {"files",
-           called(i) + " (.vtm) says what " + std::to_string(pieces.size()) + " others are called",
-           "it is a multi-block of VTK"});
+      complete.decisions.push_back({"files",
+                                    called(i) + " (.vtm) names what " +
+                                        std::to_string(pieces.size()) + " other files contain",
+                                    "it is a VTK multi-block file"});
     } else {
       files[i].bytes = attached(files[i].bytes, files[found[0]].bytes);
       gone[found[0]] = true;
-      complete.decisions.push_back(
-          {"files", called(found[0]) + " holds the voxels of " + called(i), "its header says so"});
+      complete.decisions.push_back({"files", called(found[0]) + " holds the voxels of " + called(i),
+                                    "stated in its header"});
     }
   }
   if (!problems.empty()) return std::move(problems).take();

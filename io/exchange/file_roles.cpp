@@ -34,7 +34,7 @@ GuessedRole role_of_json(const std::string& bytes) {
   bool tips = false;
   for (const Markup& markup : *markups) {
     if (markup.type == MarkupType::ClosedCurve)
-      return {FileRole::Annulus, "it has a closed curve of Slicer"};
+      return {FileRole::Annulus, "it has a closed curve from Slicer"};
     for (const std::string& label : markup.labels)
       tips = tips || label.starts_with("AL") || label.starts_with("PM");
   }
@@ -81,7 +81,7 @@ FileRole role_of(NamedPart part) {
 
 /// Of meshes whose names say nothing: by their order, or by what the other one is.
 constexpr const char* kBoth = "it is the only mesh";
-constexpr const char* kUnnamed = "two meshes, whose names do not tell which is which";
+constexpr const char* kUnnamed = "there are two meshes, and their names do not distinguish them";
 
 void guess_meshes(const std::vector<std::size_t>& meshes, std::vector<GuessedRole>& roles) {
   if (meshes.size() == 1) {
@@ -143,7 +143,7 @@ const char* words_of(FileRole role) {
     case FileRole::None:
       break;
   }
-  return "nothing known";
+  return "an unknown role";
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
       roles[i] = role_of_table(files[i].bytes);
     } else if (is_mesh(files[i].name)) {
       if (is_line(files[i].bytes, format)) {
-        roles[i] = {FileRole::Annulus, "it has lines and no surface"};
+        roles[i] = {FileRole::Annulus, "it has lines but no surface"};
         continue;
       }
       if (part == NamedPart::Annulus) {
@@ -171,18 +171,18 @@ std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
       }
       meshes.push_back(i);
       if (part == NamedPart::Anterior || part == NamedPart::Posterior)
-        roles[i] = {role_of(*part), "its name says so"};
+        roles[i] = {role_of(*part), "recognised by its name"};
       else if (part == NamedPart::Commissure)
-        roles[i] = {FileRole::Posterior, "its name says a commissure"};
+        roles[i] = {FileRole::Posterior, "its name contains a commissure"};
       continue;
     }
     const bool is_leaflet = part == NamedPart::Anterior || part == NamedPart::Posterior;
     if (roles[i].role == FileRole::None && part && !is_leaflet &&
         (format == "json" || is_table_format(format)))
-      roles[i] = {role_of(*part), "its name says so"};
+      roles[i] = {role_of(*part), "recognised by its name"};
   }
   if (meshes.empty()) std::swap(meshes, rings);  // both leaflets and the annulus in one file
-  for (const std::size_t ring : rings) roles[ring] = {FileRole::Annulus, "its name says so"};
+  for (const std::size_t ring : rings) roles[ring] = {FileRole::Annulus, "recognised by its name"};
   guess_meshes(meshes, roles);
   return roles;
 }
@@ -203,23 +203,23 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
     const FileRole role = roles[i].role;
     if (role == FileRole::None && part_of_file(files[i].name) == NamedPart::OtherLeaflet) {
       problems.add(ErrorCode::Unsupported, path,
-                   "is by its name a leaflet of another valve, septal, tricuspid, aortic or "
-                   "pulmonary; a mitral valve has an anterior and a posterior one");
+                   "is named as a leaflet of another valve (septal, tricuspid, aortic or "
+                   "pulmonary); a mitral valve has an anterior and a posterior leaflet");
       continue;
     }
     if (role == FileRole::None) {
-      problems.add(
-          ErrorCode::Unsupported, path,
-          "does not tell what it holds; must be a label map (.nrrd, .nii, .nii.gz, .mha), one or "
-          "two meshes named anterior and posterior, or markups or a table of annulus, "
-          "chordae or tips; or give it by its option (--leaflet, --annulus, ...)");
+      problems.add(ErrorCode::Unsupported, path,
+                   "has an unknown role; must be a label map (.nrrd, .nii, .nii.gz, .mha), one or "
+                   "two meshes named anterior and posterior, or markups or a table of annulus, "
+                   "chordae or tips; or use the option for its role (--leaflet, --annulus, ...)");
       continue;
     }
     if (const auto [other, is_first] = first.try_emplace(role, i);
         !is_first && !(is_leaflet(role) && are_of_one_leaflet(files[i], files[other->second]))) {
       problems.add(ErrorCode::BadReference, path,
                    std::string("is ") + words_of(role) + ", as is file " +
-                       std::to_string(given[other->second] + 1) + "; must be one of each");
+                       std::to_string(given[other->second] + 1) +
+                       "; only one file per role is allowed");
       continue;
     }
     sorted.decisions.push_back({"files",
@@ -242,7 +242,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
   const bool guessed = std::any_of(roles.begin(), roles.end(),
                                    [](const GuessedRole& of) { return of.reason == kUnnamed; });
   parts.order.claim = guessed ? LeafletClaim::Guessed : LeafletClaim::Named;
-  if (guessed) parts.order.numbered[0] = "as their order says";
+  if (guessed) parts.order.numbered[0] = "by their order";
   for (const FileRole side : {FileRole::Anterior, FileRole::Posterior}) {
     if (side == FileRole::Posterior) parts.posterior_from = parts.leaflets.size();
     std::string called;
@@ -255,7 +255,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
     parts.order.called[side == FileRole::Anterior ? 0 : 1] =
         (called.find(',') == std::string::npos ? "file " : "files ") + called;
   }
-  parts.order.swap = "give them by --leaflet, the anterior one first";
+  parts.order.swap = "use --leaflet, with the anterior leaflet first";
   place(FileRole::Labels, "/labels", [&](NamedFile file) { parts.labels = std::move(file); });
   place(FileRole::Annulus, "/annulus", [&](NamedFile file) { parts.annulus = std::move(file); });
   place(FileRole::Chordae, "/chordae", [&](NamedFile file) { parts.chordae = std::move(file); });

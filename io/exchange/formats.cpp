@@ -69,9 +69,9 @@ template <auto Write>
 Expected<std::string> labels(const ClosedValve& exported, const ValveShape& shape,
                              const ExportOptions& options) {
   if (options.grid && axes_of(exported.valve) == MarkupAxes::Valve)
-    return Error{ErrorCode::BadReference, "/grid",
-                 "cannot be given: the valve is written in its own axes, which are not those of "
-                 "images"};
+    return Error{
+        ErrorCode::BadReference, "/grid",
+        "cannot be used, because the valve is written in its own axes, not in those of the images"};
   const Expected<LabelMap> map =
       valve_labels(exported, shape, options.grid ? &*options.grid : nullptr);
   if (!map) return map.errors();
@@ -87,11 +87,11 @@ constexpr std::array<Format, 11> kFormats = {
      {{kPly, kBytes, "the leaflets", true}, mesh<kPly>},
      {{kObj, "model/obj", "the leaflets", true}, mesh<kObj>},
      {{kStl, "model/stl", "the leaflets", true}, mesh<kStl>},
-     {{"mrk.json", "application/json", "annulus, tips, landmarks, repair as Slicer's markups"},
+     {{"mrk.json", "application/json", "annulus, tips, landmarks and repair as Slicer markups"},
       markups},
      {{"csv", "text/csv", "measurements under SlicerHeart's names"}, measurements},
      {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb},
-     {{"nrrd", kBytes, "leaflets and annulus as a label map (Slicer's segmentation)", true},
+     {{"nrrd", kBytes, "leaflets and annulus as a label map (Slicer segmentation)", true},
       labels<write_nrrd>},
      {{"nii", kBytes, "the same (NIfTI-1)", true}, labels<write_nifti>},
      {{"nii.gz", "application/gzip", "the same (NIfTI-1, compressed)", true},
@@ -99,7 +99,8 @@ constexpr std::array<Format, 11> kFormats = {
 
 Errors check_finite(const ClosedValve& exported, const ExportOptions& options) {
   if (options.open || exported.closure.closed_mm.allFinite()) return {};
-  return {{ErrorCode::BadGeometry, "", "the closure diverged: there is no closed shape to write"}};
+  return {
+      {ErrorCode::BadGeometry, "", "the closure diverged, so there is no closed shape to write"}};
 }
 
 ClosedValve placed(const ClosedValve& closed, const ExportOptions& options) {

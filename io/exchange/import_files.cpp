@@ -49,8 +49,8 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
   if (format == "ply" || format == "stl" || format == "vtu")
     return Error{ErrorCode::Unsupported, "",
                  "is a surface, ." + format +
-                     "; an annulus is a table, a closed curve of Slicer (.mrk.json), or lines of "
-                     "OBJ, .vtk or .vtp"};
+                     "; an annulus must be a table, a closed curve from Slicer (.mrk.json), or "
+                     "lines in OBJ, .vtk or .vtp"};
   if (format != "json") return read_points_csv(text);
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
@@ -65,7 +65,7 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
     return Error{ErrorCode::Unsupported, "/markups",
                  "has " + std::to_string(curves.size()) + " ClosedCurves, " +
                      std::to_string(named.size()) +
-                     " of them named as a mitral annulus; must have one, or one that is named so"};
+                     " of them named as a mitral annulus; must have one, or one with such a name"};
   Expected<Points> drawn = drawn_closed_curve(curves.size() > 1 ? *named[0] : *curves[0]);
   if (!drawn) return Error{drawn.errors()[0].code, "/markups", drawn.errors()[0].message};
   return drawn;
@@ -99,13 +99,14 @@ class AxesOfFiles {
     const bool overruled = given_ && !is_markup;
     stated_ = stated_ && (overruled || stated);
     const PatientAxes axes = overruled ? *given_ : stated.value_or(PatientAxes::LPS);
-    std::string reason = is_markup   ? "markups say their axes"
+    std::string reason = is_markup   ? "stated in the markups"
                          : overruled ? "as given"
-                         : stated    ? std::string("their headers say SPACE=") + to_string(*stated)
-                                     : "they do not say, and LPS is DICOM's";
+                         : stated
+                             ? std::string("stated in their headers as SPACE=") + to_string(*stated)
+                             : "not stated in the files; LPS is the DICOM convention";
     if (overruled && stated && *stated != *given_)
-      reason += std::string(", against their headers, which say SPACE=") + to_string(*stated);
-    const char* done = axes == PatientAxes::RAS ? "RAS, turned to LPS" : "LPS";
+      reason += std::string(", contrary to their headers, which state SPACE=") + to_string(*stated);
+    const char* done = axes == PatientAxes::RAS ? "RAS, converted to LPS" : "LPS";
     if (decisions_.empty() || decisions_.back().reason != reason || done != done_) {
       decisions_.push_back({"axes", part + ": " + done, reason});
       parts_ = part;
@@ -132,8 +133,9 @@ class AxesOfFiles {
 void take_labels(const ImportFiles& files, const ImportReading& reading, ImportSource& source,
                  ProblemList& problems) {
   if (!files.leaflets.empty())
-    return problems.add(ErrorCode::UnknownField, "/labels",
-                        "cannot be given together with leaflets: its labels are the leaflets");
+    return problems.add(
+        ErrorCode::UnknownField, "/labels",
+        "cannot be combined with leaflet meshes, because its labels are the leaflets");
   std::optional<LabelMap> map;
   take(read_label_map(files.labels->bytes, reading.most_voxels, reading.phase), "/labels", problems,
        map);
@@ -224,7 +226,7 @@ void smooth_few_points(ImportSource& source) {
   source.annulus_mm = *drawn;
   source.decisions.push_back(
       {"annulus", "the smooth closed curve through its " + std::to_string(count) + " points",
-       "straight sides would be " +
+       "a polygon through them would be " +
            significant(100.0 * (1.0 - polygon / ArcLength(*drawn).total_mm()), 2) + " % shorter"});
 }
 
@@ -242,7 +244,8 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   if (files.labels)
     take_labels(files, reading, source, problems);
   else if (reading.series)
-    problems.add(ErrorCode::MissingField, "/labels", "is missing: the series places a label map");
+    problems.add(ErrorCode::MissingField, "/labels",
+                 "is missing: --series applies only to a label map");
   if (files.annulus) {
     const std::string format = format_of(files.annulus->name);
     take(read_closed_loop(files.annulus->bytes, format), "/annulus", problems, source.annulus_mm);

@@ -23,8 +23,8 @@ struct Convention {
   const char* name;
 };
 constexpr std::array kConventions = {
-    Convention{1, 2, "as coapt and most tools number them"},
-    Convention{2, 1, "as the public set MVSeg2023 numbers them"},
+    Convention{1, 2, "the numbering of coapt and most tools"},
+    Convention{2, 1, "the numbering of the public data set MVSeg2023"},
 };
 
 enum class Part { Anterior, Posterior, Annulus };
@@ -112,7 +112,7 @@ class LabelChoice {
       } else if (found->part) {
         problems_.add(
             ErrorCode::BadReference, "/label_numbers",
-            "has label " + std::to_string(number) + " for two parts; each must have its own");
+            "has label " + std::to_string(number) + " for two structures; each must have its own");
       } else {
         found->part = part;
         found->reason = "as given";
@@ -130,10 +130,10 @@ class LabelChoice {
     for (Candidate& candidate : all_) {
       if (candidate.part || candidate.meant != named(part)) continue;
       if (mitral && !is_mitral(candidate.name) && !is_scallop(candidate.name)) continue;
-      // Several labels of one part are its scallops; of several whole leaflets the first is taken and the others are left over.
+      // Several labels of one part are its scallops; of several whole leaflets the first is used and the others are left over.
       if (taken > 0 && !is_scallop(candidate.name)) continue;
       candidate.part = part;
-      candidate.reason = "by the name that the file gives it";
+      candidate.reason = "by its name in the file";
       ++taken;
     }
     if (part == Part::Posterior && taken > 0) take_commissures();
@@ -147,11 +147,11 @@ class LabelChoice {
     if (!leaflets.empty() && is_mitral(leaflets[0]->name)) return;
     problems_.add(
         ErrorCode::Unsupported, "/labels",
-        "has a leaflet of another valve by its name, septal, tricuspid, aortic or pulmonary "
-        "(label " +
+        "has a label named as a leaflet of another valve (septal, tricuspid, aortic or pulmonary; "
+        "label " +
             listed(other) +
-            "); a mitral valve has an anterior and a posterior one. Of several valves say "
-            "which labels are the mitral one's (--label anterior=N, --label posterior=N)");
+            "); a mitral valve has an anterior and a posterior leaflet. If the file holds several "
+            "valves, name the mitral labels (--label anterior=N, --label posterior=N)");
   }
 
   /// The closed band among labels whose names say nothing.
@@ -183,7 +183,7 @@ class LabelChoice {
         if (of(part).empty())
           problems_.add(ErrorCode::BadReference, pointer(part),
                         std::string("is missing: no label is named the ") + words_of(part) +
-                            ", and none else is free to be one; the file has labels " +
+                            ", and no other label is available; the file has labels " +
                             listed([](const Candidate&) { return true; }));
       return;
     }
@@ -219,8 +219,8 @@ class LabelChoice {
                                " labels not used: " + listed(which),
                            why, look});
     };
-    tell(is_known, "by their names they are other parts of the heart", false);
-    tell(is_unknown, "nothing tells that they are of the leaflets or the annulus", true);
+    tell(is_known, "their names denote other parts of the heart", false);
+    tell(is_unknown, "not recognised as leaflets or annulus", true);
   }
 
   std::vector<SourcePart> parts() const {
@@ -289,7 +289,7 @@ class LabelChoice {
           !is_like(shape_of(candidate), posterior))
         continue;
       candidate.part = Part::Posterior;
-      candidate.reason = "by the name that the file gives it";
+      candidate.reason = "by its name in the file";
     }
   }
 
@@ -352,12 +352,11 @@ class LabelChoice {
       for (const Candidate* candidate : free)
         if (const auto line = label_curve(map_, candidate->label); !line && candidate->number == 3)
           why = "; the file " + line.errors()[0].message;
-    problems_.add(
-        ErrorCode::BadReference, "/label_numbers",
-        "is missing: " + listed(is_free) +
-            " could each be a leaflet, and a mitral valve has two; say which labels they are "
-            "(--label anterior=N, --label posterior=N, several of each if they are scallops)" +
-            why);
+    problems_.add(ErrorCode::BadReference, "/label_numbers",
+                  "is missing: " + listed(is_free) +
+                      " could each be a leaflet, but a mitral valve has two; name their labels "
+                      "(--label anterior=N, --label posterior=N, repeated for scallops)" +
+                      why);
   }
 
   const LabelMap& map_;
@@ -416,7 +415,7 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
     if (labels.empty()) continue;
     if (part == Part::Annulus && !with.annulus) {
       parts.decisions.push_back({"labels", choice.called(part) + " not used",
-                                 "it is the annulus, which came as a file of its own"});
+                                 "it is the annulus, which was provided as a separate file"});
       continue;
     }
     if (part == Part::Annulus || labels.size() > 1 || parts.order.claim != LeafletClaim::Guessed)
@@ -443,18 +442,17 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   if (map.phases > 1)
     parts.decisions.push_back(
         {"labels",
-         "phase " + std::to_string(map.phase) + " of " + std::to_string(map.phases) + " is taken",
+         "phase " + std::to_string(map.phase) + " of " + std::to_string(map.phases) + " is used",
          with.phase_given ? "as given"
-                          : "it is the first that has labels; say --phase if "
-                            "another is right",
+                          : "it is the first phase with labels; use --phase to select another",
          !with.phase_given, with.phase_given ? 1.0 : 0.5});
   if (!map.frame_doubt.empty())
-    parts.decisions.push_back({"labels", map.frame_doubt, "the header says two things", true, 0.5});
+    parts.decisions.push_back(
+        {"labels", map.frame_doubt, "the header contradicts itself", true, 0.5});
   parts.decisions.push_back(
       {"labels", frame_words(map) + (map.placed ? ", in the patient's frame, LPS" : ""),
-       map.placed
-           ? "as the label map says"
-           : "the label map does not say where the patient is; axes are those of its voxels"});
+       map.placed ? "stated in the label map"
+                  : "the label map does not state patient axes, so voxel axes are used"});
   return parts;
 }
 

@@ -50,14 +50,14 @@ void add_annulus(const Valve& valve, const AnnulusMeasure& annulus, Table& table
   const Eigen::VectorXd height =
       (valve.annulus_mm.rowwise() - plane.origin_mm.transpose()) * plane.normal;
   table.add("Annulus height", height.maxCoeff() - height.minCoeff(), "mm");
-  table.add("Annulus height above", height.maxCoeff(), "mm", "above is the atrium");
+  table.add("Annulus height above", height.maxCoeff(), "mm", "above: towards the atrium");
   table.add("Annulus height below", -height.minCoeff(), "mm");
   table.add("Annulus area (2D)", annulus.area_mm2, "mm*mm");
 }
 
 void add_coaptation(const Coaptation& coaptation, Table& table) {
   const std::string name = "Coaptation anterior - posterior height ";
-  const std::string definition = "contact along nine sections across the line of coaptation";
+  const std::string definition = "contact height in nine sections across the coaptation line";
   std::vector<double> heights;
   for (const CoaptationSection& section : coaptation.sections) heights.push_back(section.height_mm);
   table.add(name + "(min)", coaptation.height_min_mm, "mm", definition);
@@ -77,11 +77,11 @@ std::string write_measurements_csv(const ClosedValve& exported) {
     table.remark("Closure", doubt);
   add_annulus(exported.valve, measure.annulus, table);
   table.add("Tenting height", measure.tenting_height_mm, "mm",
-            "in the mid-valve section, from the annular line to the coaptation point; SlicerHeart: "
-            "the furthest point of the leaflets from a surface through the annulus");
+            "in the mid-valve section, from the annular line to the coaptation point; SlicerHeart "
+            "uses the leaflet point furthest from a surface through the annulus");
   add_coaptation(measure.coaptation, table);
   table.add("Regurgitant orifice area", measure.leak.area_mm2, "mm*mm",
-            "anatomic, the least area through which blood can flow back; not an EROA");
+            "anatomic: the smallest area through which blood can flow back; not an EROA");
   return std::move(table).take();
 }
 

@@ -42,7 +42,7 @@ Expected<std::map<std::size_t, NamedPart>> given_parts(const MeshParts& parts,
         problems.add(ErrorCode::BadReference, path,
                      "is " + std::to_string(number) + "; the file has " +
                          std::to_string(parts.parts.size()) + " parts (" + parts.told_apart_by +
-                         "), which count from 1");
+                         "), numbered from 1");
       else if (!meant.try_emplace(index, part).second)
         problems.add(ErrorCode::BadReference, "/label_numbers",
                      "has part " + std::to_string(number) +
@@ -104,11 +104,11 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts, const LabelNumbers& given) {
       std::to_string(parts.parts.size()) + " parts (" + parts.told_apart_by + ")";
   const bool mitral = !anterior.empty() && is_mitral(parts.parts[anterior[0]].name);
   if (!foreign.empty() && !mitral)
-    return Error{ErrorCode::Unsupported, "",
-                 "has a leaflet of another valve by its name, septal, tricuspid, aortic or "
-                 "pulmonary (" +
-                     called(foreign) + " of " + of +
-                     "); a mitral valve has an anterior and a posterior one"};
+    return Error{
+        ErrorCode::Unsupported, "",
+        "has a part named as a leaflet of another valve (septal, tricuspid, aortic or pulmonary; " +
+            called(foreign) + " of " + of +
+            "); a mitral valve has an anterior and a posterior leaflet"};
   const bool one_named = anterior.empty() != posterior.empty();
   if (one_named && unnamed.size() == 1) {
     (anterior.empty() ? anterior : posterior) = unnamed;
@@ -128,8 +128,8 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts, const LabelNumbers& given) {
   } else if (anterior.empty() || posterior.empty()) {
     return Error{ErrorCode::Unsupported, "",
                  "has " + of + ", of which " + std::to_string(unnamed.size()) +
-                     " could each be a leaflet; a mitral valve has two, named anterior and "
-                     "posterior (or A1 to P3), or give each as a file of its own"};
+                     " could each be a leaflet; a mitral valve has two, so name them anterior and "
+                     "posterior (or A1 to P3), or provide each as a separate file"};
   } else {
     found.leaflets = {together(parts, anterior), together(parts, posterior)};
     found.order.called = {called(anterior), called(posterior)};

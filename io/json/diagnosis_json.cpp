@@ -19,7 +19,7 @@ Json to_json(const SegmentDiagnosis& segment) {
 }
 
 Json thresholds() {
-  constexpr const char* kMade = "made valves, one half judged by the other";
+  constexpr const char* kMade = "generated valves, one half judged by the other";
   const auto row = [](const char* figure, double threshold, const char* unit, const char* source) {
     return Json{{"figure", figure}, {"threshold", threshold}, {"unit", unit}, {"source", source}};
   };
@@ -29,7 +29,7 @@ Json thresholds() {
        row("tip_to_trigone_mm", kMostNormalTipToTrigone_mm, "mm", "57 cadavers, mean + sd"),
        row("ap_mm", kDilatedAp_mm, "mm", "ESC/EACTS guidelines on valvular heart disease 2012"),
        row("ap_mm over transverse_mm", kRoundAnnulus, "1",
-           "health 0.75 +- 0.07 (PMC7368231, table 3), mean + 2 sd"),
+           "healthy 0.75 ± 0.07 (PMC7368231, table 3), mean + 2 sd"),
        row("opening_area_mm2", kCannotOpen_mm2, "mm2",
            "severe stenosis, ASE/EACVI recommendations 2009")});
 }

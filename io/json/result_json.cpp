@@ -113,12 +113,12 @@ Json joined(Json json, const Json& more) {
 
 const std::vector<std::string>& not_modelled() {
   static const std::vector<std::string> kSentences = {
-      "Blood flow: pressure is static, jets are not computed; the gradient in diastole is what "
-      "the pulse of filling needs through the opening (Bernoulli).",
-      "Filling: relaxation and stiffness of the ventricle, and how its flow meets sutures.",
-      "The ventricle: annulus and papillary tips do not move while the valve closes.",
-      "Tissue that differs from place to place, calcification, clefts that are not in the valve "
-      "file, sutures that tear, healing and growth."};
+      "Blood flow: pressure is static and jets are not computed; the diastolic gradient is the one "
+      "that drives the filling pulse through the opening (Bernoulli).",
+      "Filling: relaxation and stiffness of the ventricle, and the flow around sutures.",
+      "Ventricle: annulus and papillary tips do not move while the valve closes.",
+      "Tissue: local variation, calcification, clefts that are not in the valve file, tearing "
+      "sutures, healing and growth."};
   return kSentences;
 }
 

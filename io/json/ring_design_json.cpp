@@ -64,9 +64,8 @@ Json provenance_json(const RingDesignResult& result, const RingDesignSource& sou
   Json json = {{"population", source.population}};
   if (!source.aetiology.empty()) json["aetiology"] = source.aetiology;
   json.update({{"objective",
-                "share of closures that leak 5 mm2 or more over members and disturbances, with "
-                "stenosis, undersizing, mean leak, pull at "
-                "sutures and durability"},
+                "fraction of closures that leak 5 mm2 or more over members and disturbances, with "
+                "stenosis, undersizing, mean leak, suture force and durability"},
                {"evaluations", source.evaluations},
                {"seed", source.seed},
                {"gain_held_out", all.below_percent.mean},

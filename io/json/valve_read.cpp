@@ -348,7 +348,7 @@ std::vector<Observation> read_observed(const JsonPlace& place) {
 Expected<Valve> valve_from_json(const Json& json) {
   if (has_leaflets(json))
     return Error{ErrorCode::Unsupported, "/schema",
-                 "is \"coapt.valve/2\", which can be closed and checked; here it must be "
+                 "is \"coapt.valve/2\", which can only be closed and checked; must be "
                  "\"coapt.valve/1\", a mitral valve"};
   return checked(json, read_form);
 }

@@ -245,8 +245,8 @@ const Error kUnknown{ErrorCode::MissingField, "/annulus_mm", ""};
 
 Error unknown(const std::string& why) {
   Error error = kUnknown;
-  error.message = "is missing, and the leaflets' outlines do not tell it: " + why +
-                  "; give the annulus (--annulus)";
+  error.message = "is missing and cannot be detected from the leaflet outlines: " + why +
+                  "; provide the annulus (--annulus)";
   return error;
 }
 
@@ -303,13 +303,12 @@ Expected<FoundAnnulus> find_annulus(const ImportSource& source) {
     best.score -= kOutside * std::abs(best.score) * outside_share(outlines, best.loop_mm);
     found.push_back(std::move(best));
   }
-  if (found.empty()) return unknown("none of their edges leads round an opening");
+  if (found.empty()) return unknown("none of their edges encircles an opening");
   std::stable_sort(found.begin(), found.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   const Candidate& best = found.front();
   if (best.gap_mm > kWidestGap * ArcLength(best.loop_mm).total_mm() || !(best.score > 0.0))
-    return unknown("their edges do not join to a loop (gap " + significant(best.gap_mm, 2) +
-                   " mm)");
+    return unknown("their edges do not form a loop (gap " + significant(best.gap_mm, 2) + " mm)");
   FoundAnnulus annulus{best.loop_mm, 1.0, best.off_plane_mm, best.gap_mm};
   for (const Candidate& other : found) {
     if (apart_mm(best.loop_mm, other.loop_mm) < kApart_mm) continue;
@@ -317,7 +316,7 @@ Expected<FoundAnnulus> find_annulus(const ImportSource& source) {
     break;
   }
   if (annulus.margin < kLeastMargin)
-    return unknown("two loops are as likely (their scores differ by " +
+    return unknown("two loops are equally likely (their scores differ by " +
                    significant(100.0 * annulus.margin, 2) + " %)");
   return annulus;
 }

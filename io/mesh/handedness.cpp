@@ -56,11 +56,12 @@ Expected<ImportDecision> judged_handedness(const ImportSource& source, const Pat
   if (const auto apart = sides_apart_mm(source.sided, frame.axes.col(0));
       apart && std::abs(*apart) >= kLeastApart_mm) {
     if (*apart > 0.0)
-      return ImportDecision{kSubject, "no mirror image", "parts named after their side lie on it"};
+      return ImportDecision{kSubject, "no mirror image",
+                            "parts named after a side lie on that side"};
     return Error{ErrorCode::BadGeometry, "/mirrored",
-                 "must be set if the files show a mirror image: parts that are named after the "
-                 "anterolateral side (A1, P1) lie on the posteromedial one. Else the names of the "
-                 "sides are exchanged"};
+                 "must be set if the files show a mirror image, because parts named after the "
+                 "anterolateral side (A1, P1) lie on the posteromedial side; otherwise the names "
+                 "of the sides are interchanged"};
   }
   if (source.axes == SourceAxes::Stated) {
     const Eigen::Matrix3d usual = usual_axes();
@@ -69,25 +70,24 @@ Expected<ImportDecision> judged_handedness(const ImportSource& source, const Pat
     for (Index along = 0; along < 3; ++along)
       mirrored = std::min(mirrored, degrees_between(frame.axes, of_mirror_image(usual, along)));
     if (off <= kUsual_deg)
-      return ImportDecision{kSubject, "no mirror image",
-                            "it lies in the stated axes of the patient as hearts do, within " +
-                                significant(off, 2) + " degrees",
-                            false, 0.95};
+      return ImportDecision{
+          kSubject, "no mirror image",
+          "its orientation in the stated patient axes is that of a heart, within " +
+              significant(off, 2) + " degrees",
+          false, 0.95};
     if (mirrored <= kMirrored_deg)
-      return ImportDecision{kSubject, "perhaps a mirror image",
-                            "it lies in the stated axes of the patient as the mirror image of a "
-                            "heart would, within " +
-                                significant(mirrored, 2) +
-                                " degrees; --mirrored turns every x of the files round",
-                            true, 0.3};
+      return ImportDecision{
+          kSubject, "possibly a mirror image",
+          "its orientation in the stated patient axes is that of a mirrored heart, within " +
+              significant(mirrored, 2) + " degrees; --mirrored mirrors all files",
+          true, 0.3};
   }
   const bool unstated = source.axes == SourceAxes::Unknown;
-  return ImportDecision{
-      kSubject, "a mirror image would not be seen",
-      std::string(unstated ? "the label map does not say what its axes are, and " : "") +
-          "neither papillary tips nor parts named after their side (A1, P3) tell; --mirrored turns "
-          "every x of the files round",
-      unstated, 0.5};
+  return ImportDecision{kSubject, "a mirror image cannot be detected",
+                        std::string(unstated ? "the label map does not state its axes, and " : "") +
+                            "there are no papillary tips or parts named after a side (A1, P3); "
+                            "--mirrored mirrors all files",
+                        unstated, 0.5};
 }
 
 }  // namespace coapt

@@ -186,7 +186,7 @@ ImportDecision described(const Attached& attached, const Valve& valve,
                      " marginal, moved to the free edge by at most " +
                      significant(attached.edge_max_mm, 3) + " mm, ";
   if (attached.trees > 0) {
-    text += std::to_string(attached.trees) + " of all keep the tree that was traced";
+    text += std::to_string(attached.trees) + " of all keep their traced tree";
   } else {
     text += "each with " + std::to_string(options.branches) + " insertions";
     if (options.branches > 1) {
@@ -200,7 +200,7 @@ ImportDecision described(const Attached& attached, const Valve& valve,
             significant(attached.surface_max_mm, 3) + " mm";
   }
   if (attached.lengths > 0)
-    text += "; " + std::to_string(attached.lengths) + " pieces keep the slack they came with";
+    text += "; " + std::to_string(attached.lengths) + " pieces keep their imported slack";
   text += "; " + std::to_string(valve.heads.size()) + " papillary heads";
   return {"chordae", text,
           "lengths are straight distances at rest times " + significant(options.slack, 3) +
@@ -272,7 +272,7 @@ Errors add_imported_ties(const FramedSource& source, bool closed, Valve& valve,
   if (source.ties.empty()) return {};
   if (closed)
     return {{ErrorCode::Unsupported, "/ties",
-             "cannot be placed on leaflets that were imaged closed, whose edges are not seen: "
+             "cannot be placed on leaflets imaged closed, because their free edges are hidden; "
              "export the open shape, or leave the ties out"}};
   ProblemList problems;
   double moved_mm = 0.0;
@@ -296,7 +296,7 @@ Errors add_imported_ties(const FramedSource& source, bool closed, Valve& valve,
   }
   decisions.push_back({"ties",
                        std::to_string(source.ties.size()) + " of an edge-to-edge repair kept",
-                       "moved to the leaflets, at most " + with_decimals(moved_mm, 2) + " mm"});
+                       "moved onto the leaflets by at most " + with_decimals(moved_mm, 2) + " mm"});
   return std::move(problems).take();
 }
 

@@ -55,22 +55,21 @@ void check_tips(const ImportSource& source, ProblemList& problems) {
                    "must have finite coordinates");
   }
   if (!source.chordae.empty())
-    problems.add(ErrorCode::OutOfRange, "/chordae", "must be none where chordae are drawn");
+    problems.add(ErrorCode::OutOfRange, "/chordae", "must be empty if chordae are synthesised");
   if (lateral != medial)
     problems.add(ErrorCode::MissingField, "/tips",
-                 "must hold a tip of either papillary muscle, or none");
+                 "must hold a tip of each papillary muscle, or none");
   if (source.tips.empty() && source.leaflets.size() == 1)
-    problems.add(
-        ErrorCode::MissingField, "/tips",
-        "is empty: one skirt does not tell front from back; give the papillary tips, or an "
-        "anterior and a posterior sheet");
+    problems.add(ErrorCode::MissingField, "/tips",
+                 "is empty; the orientation of a single skirt is ambiguous, so provide the "
+                 "papillary tips, or an anterior and a posterior sheet");
 }
 
 void check_chordae(const std::vector<ImportedChorda>& chordae, ProblemList& problems) {
   if (chordae.empty()) {
-    problems.add(ErrorCode::MissingField, "/chordae",
-                 "is empty; chordae that were not seen can be drawn from anatomy "
-                 "(--chordae synthesise)");
+    problems.add(
+        ErrorCode::MissingField, "/chordae",
+        "is empty; chordae that were not imaged can be synthesised (--chordae synthesise)");
     return;
   }
   if (chordae.size() > kMaxChordae) {
@@ -204,18 +203,19 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
     x = across_sheets(source.leaflets, z);
     if (!(x.norm() > 1.0))
       return Error{ErrorCode::BadGeometry, "/leaflets",
-                   "lie on each other; an anterior and a posterior sheet orient the valve"};
+                   "coincide; an anterior and a posterior sheet are needed to orient the valve"};
     const double saddle_mm = saddle_towards(z, x.normalized(), centred);
     const bool saddle_tells = std::abs(saddle_mm) > kLeastSaddle_mm;
     // Closed leaflets hang below the annulus or billow above it; of open ones the saddle is asked where they hardly hang.
     const bool hanging_tells = !closed && hanging_mm >= kLeastHanging_mm;
     if (!hanging_tells && !saddle_tells)
-      return Error{ErrorCode::MissingField, "/tips",
-                   "is missing: " +
-                       std::string(closed ? "of closed leaflets in so flat an annulus"
-                                          : "of leaflets that hang " + significant(hanging_mm, 2) +
-                                                " mm below so flat an annulus in the mean") +
-                       " only papillary tips tell the atrium from the ventricle"};
+      return Error{
+          ErrorCode::MissingField, "/tips",
+          "is missing: " +
+              std::string(closed ? "with closed leaflets in such a flat annulus"
+                                 : "with leaflets that hang " + significant(hanging_mm, 2) +
+                                       " mm on average below such a flat annulus") +
+              " only papillary tips can distinguish the atrium from the ventricle"};
     const bool agree = saddle_mm > 0.0 || !saddle_tells;
     if (!hanging_tells && saddle_mm < 0.0) {
       z = -z;
@@ -225,33 +225,34 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
         "atrium",
         std::string("on the side that ") +
             (hanging_tells ? "the leaflets hang away from" : "the annulus's saddle rises to"),
-        "they hang " + significant(hanging_mm, 2) + " mm in the mean, the saddle rises " +
+        "they hang " + significant(hanging_mm, 2) + " mm on average, and the saddle rises " +
             significant(2.0 * std::abs(saddle_mm), 2) + " mm" +
             (agree ? (saddle_tells ? " to the same side" : "") : " to the other side"),
         !agree && (hanging_tells || hanging_mm >= kLeastHanging_mm), agree ? 1.0 : 0.7};
     if (options.flip) {
       z = -z;
       x = -x;
-      frame.atrium = {"atrium", "on the other side than it looks, as given", frame.atrium.reason};
+      frame.atrium = {"atrium", "opposite to the side suggested by the shape, as given",
+                      frame.atrium.reason};
     }
   } else {
     if (options.flip)
-      return Error{ErrorCode::UnknownField, "/flip",
-                   "cannot be given where papillary tips are: they tell which side the ventricle "
-                   "is on"};
+      return Error{
+          ErrorCode::UnknownField, "/flip",
+          "cannot be combined with papillary tips, which already determine the ventricular side"};
     const Vec3 lateral = mean_tip(tips, Side::Anterolateral);
     const Vec3 medial = mean_tip(tips, Side::Posteromedial);
     if (z.dot(0.5 * (lateral + medial) - origin) > 0.0) z = -z;
     x = medial - lateral - z.dot(medial - lateral) * z;
     if (!(x.norm() > 1.0))
       return Error{ErrorCode::BadGeometry, source.chordae.empty() ? "/tips" : "/chordae",
-                   "has both papillary tips within 1 mm of each other; must be apart, they orient "
-                   "the valve"};
+                   "has both papillary tips within 1 mm of each other; must be farther apart to "
+                   "orient the valve"};
     const double hanging_mm = -z.dot(centroid(joined(source.leaflets)) - origin);
     if (!closed && hanging_mm < -kLeastHanging_mm)
       frame.atrium = {
-          "atrium", "on the side that the papillary tips are not",
-          "the leaflets hang " + significant(-hanging_mm, 2) + " mm to the other side in the mean",
+          "atrium", "on the side opposite to the papillary tips",
+          "the leaflets hang " + significant(-hanging_mm, 2) + " mm to the other side on average",
           true, 0.6};
   }
   frame.axes << x.normalized(), z.cross(x.normalized()), z;
@@ -265,10 +266,9 @@ void check_framed(const FramedSource& framed, ProblemList& problems) {
                b = framed.annulus_mm.row((i + 1) % framed.annulus_mm.rows());
     if (a.x() * b.y() - a.y() * b.x() > 0.0) continue;
     if (std::exchange(told, true)) continue;
-    problems.add(
-        ErrorCode::BadGeometry, at("/annulus_mm", i),
-        "must lead counter-clockwise round the annulus axis, like the points before it: an "
-        "annulus that turns back on itself cannot be cut by half-planes");
+    problems.add(ErrorCode::BadGeometry, at("/annulus_mm", i),
+                 "must lead counter-clockwise around the annulus axis like the points before it; "
+                 "an annulus that turns back on itself cannot be cut by half-planes");
   }
   for (std::size_t i = 0; i < framed.chordae.size(); ++i) {
     check_range(problems, at("/chordae", static_cast<std::ptrdiff_t>(i)) + "/tip_mm",
@@ -276,11 +276,10 @@ void check_framed(const FramedSource& framed, ProblemList& problems) {
   }
   if (framed.leaflets.size() == 2 &&
       centroid(framed.leaflets[0]).y() <= centroid(framed.leaflets[1]).y()) {
-    problems.add(
-        ErrorCode::BadGeometry, "/leaflets/0",
-        "lies behind the other sheet as the papillary muscles orient the valve; the anterior "
-        "sheet comes first, anterolateral and posteromedial must not be mixed up, and the "
-        "coordinates must be right-handed");
+    problems.add(ErrorCode::BadGeometry, "/leaflets/0",
+                 "lies behind the other sheet in the orientation given by the papillary muscles; "
+                 "the anterior sheet must come first, the sides of the muscles must be correct, "
+                 "and the coordinates must be right-handed");
   }
 }
 
@@ -338,12 +337,12 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, const Frame
   framed.atrium = frame->atrium;
   framed.change = {
       "frame",
-      "moved by " + significant(frame->origin_mm.norm(), 3) + " mm and turned by " +
+      "moved by " + significant(frame->origin_mm.norm(), 3) + " mm and rotated by " +
           significant(turned, 3) + " degrees",
       "origin annulus centroid, " +
           (source.chordae.empty() && source.tips.empty()
                ? std::string("y from the posterior to the anterior sheet, z ") +
-                     (options.closed ? "to where the annulus's saddle rises"
+                     (options.closed ? "to the side to which the saddle of the annulus rises"
                                      : "away from the leaflets")
                : std::string("x from the anterolateral to the posteromedial papillary tip within "
                              "the annulus plane, z away from the tips"))};

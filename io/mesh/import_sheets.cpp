@@ -37,13 +37,13 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
                   std::vector<ImportDecision>& told) {
   if (sheet.collapsed > 0)
     told.push_back({name, counted(sheet.collapsed, "collapsed triangle") + " dropped",
-                    "two of their corners lie in the same place"});
+                    "two of their corners coincide"});
   if (sheet.repeated > 0)
     told.push_back({name, counted(sheet.repeated, "repeated triangle") + " dropped",
-                    "they have the corners of others"});
+                    "they have the same corners as others"});
   if (sheet.turned > 0)
-    told.push_back({name, counted(sheet.turned, "triangle") + " turned over",
-                    "they faced the other way than their neighbours"});
+    told.push_back({name, counted(sheet.turned, "triangle") + " flipped",
+                    "their orientation differed from that of their neighbours"});
   if (sheet.islands > 0)
     told.push_back(
         {name,
@@ -52,10 +52,10 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
          "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) + " mm2",
          sheet.islands_mm2 > kIslandsToCheck * sheet.area_mm2});
   if (sheet.branching_edges > 0)
-    told.push_back({name,
-                    counted(sheet.branching_edges, "edge") +
-                        " shared by more than two triangles, left as they are",
-                    "cuts follow two of the triangles", true});
+    told.push_back(
+        {name,
+         counted(sheet.branching_edges, "edge") + " shared by more than two triangles, unchanged",
+         "cuts follow two of the triangles", true});
   std::string widths;
   int filled = 0;
   for (const SheetHole& hole : sheet.holes) {
@@ -67,12 +67,13 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
   if (filled > 0)
     told.push_back(
         {name, counted(filled, "hole") + " filled",
-         "at most 6 mm wide, taken for gaps of the segmentation, not for perforations: " + widths +
-             (filled > kToldHoles ? ", ..." : "") + " in the files' axes",
+         "at most 6 mm wide, interpreted as gaps of the segmentation, not as perforations: " +
+             widths + (filled > kToldHoles ? ", ..." : "") + " in the axes of the files",
          true});
   if (small > 0)
-    told.push_back({name, counted(small, "hole") + " of at most 3 mm bridged by the cuts",
-                    "that narrow they are gaps of the segmentation or between roots of chordae"});
+    told.push_back(
+        {name, counted(small, "hole") + " of at most 3 mm bridged by the cuts",
+         "such narrow gaps are due to the segmentation or lie between the roots of chordae"});
 }
 
 MeasuredThickness measured(const std::vector<double>& values, std::size_t leaflet) {
@@ -104,12 +105,12 @@ Errors flatten(TriangleMesh& mesh, std::size_t i, std::size_t outlines, const st
     if (loops.size() < 2 || length_mm(loops[1], middle->sheet.vertices_mm) <
                                 0.2 * length_mm(loops[0], middle->sheet.vertices_mm))
       return {{ErrorCode::BadTopology, "/faces",
-               "is one closed surface without an opening: if both leaflets are fused in it, give "
-               "the anterior and the posterior one as meshes of their own"}};
+               "is one closed surface without an opening; if both leaflets are fused in it, "
+               "provide the anterior and the posterior leaflet as separate meshes"}};
   }
   prepared.decisions.push_back(
       {name,
-       "thick shell (" + std::string(closed ? "closed surface" : "two sides and an open rim") +
+       "thick shell (" + std::string(closed ? "closed surface" : "two sides with an open rim") +
            ") replaced by its mid-surface; measured " + significant(thickness.mean_mm, 2) +
            " mm thick (p10 " + significant(thickness.p10_mm, 2) + ", p90 " +
            significant(thickness.p90_mm, 2) + ")",
@@ -131,7 +132,7 @@ std::vector<ImportDecision> drop_loose_points(ImportSource& source) {
       continue;
     if (const int loose = drop_loose_points(mesh); loose > 0)
       told.push_back({which(source.leaflets, i), counted(loose, "point") + " left out",
-                      "no triangle has them"});
+                      "they belong to no triangle"});
   }
   return told;
 }
@@ -211,9 +212,9 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source, const ClosureBud
   if (!found) return found.errors();
   prepared.decisions.push_back(
       {"annulus",
-       "not given; found along the leaflets' outlines, " + significant(100.0 * found->margin, 2) +
-           " % ahead of the next likely loop",
-       "the widest, flattest loop that their edges make; " + significant(found->off_plane_mm, 2) +
+       "not given; detected along the leaflet outlines, with a score " +
+           significant(100.0 * found->margin, 2) + " % above that of the next loop",
+       "the widest, flattest loop formed by their edges; " + significant(found->off_plane_mm, 2) +
            " mm from a plane (rms), " + significant(found->gap_mm, 2) +
            " mm between the leaflets where they meet",
        true});

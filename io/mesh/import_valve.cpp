@@ -34,11 +34,11 @@ void check_options(const ImportSource& source, const ImportOptions& options,
   check_range(problems, "/hidden_mm", options.hidden_mm, {0, 15}, " mm");
   if (!options.chordae_seed)
     problems.add(ErrorCode::Unsupported, "/closed",
-                 "needs chordae that are drawn (--chordae synthesise): where those of closed "
-                 "leaflets insert in the open ones is not known");
+                 "requires --chordae synthesise, because the insertions of chordae imaged with "
+                 "closed leaflets are unknown on the open ones");
   if (source.leaflets.size() != 2)
     problems.add(ErrorCode::Unsupported, "/leaflets",
-                 "of a closed valve must be two, the anterior sheet, then the posterior one");
+                 "must be two for a closed valve: the anterior sheet, then the posterior one");
 }
 
 /// Where a point of the annulus at rest goes under pressure: as the points beside it.
@@ -79,11 +79,11 @@ Expected<Valve> drawn(Valve valve, const std::vector<ImportedTip>& tips,
   Expected<Valve> made = with_synthetic_chordae(std::move(valve), seed, tips_mm, options.budget);
   if (!made) return made.errors();
   decisions.push_back({"chordae",
-                       "not seen; drawn from anatomy with seed " + std::to_string(seed) + ": " +
-                           std::to_string(made->chordae.size()) +
-                           " chordae, taut in the closed state times a slack",
+                       "not imaged; synthesised from anatomical data with seed " +
+                           std::to_string(seed) + ": " + std::to_string(made->chordae.size()) +
+                           " chordae, with lengths relative to the closed state",
                        std::string("papillary tips ") +
-                           (tips.empty() ? "drawn, too, below the annulus" : "as given")});
+                           (tips.empty() ? "also synthesised, below the annulus" : "as given")});
   return made;
 }
 
@@ -155,7 +155,7 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
       {"units", to_string(unit), read.reason, read.look, read.confidence}};
   if (options.mirrored)
     first.push_back(
-        {"frame", "every x of the files turned round", "they are a mirror image, as given"});
+        {"frame", "all files mirrored (x reversed)", "they are a mirror image, as given"});
   first.push_back(framed->change);
   if (handedness) first.push_back(*std::move(handedness));
   if (!framed->atrium.subject.empty()) first.push_back(framed->atrium);

@@ -27,7 +27,7 @@ JudgedState judged_state(const ImportSource& source, const ImportOptions& option
   const StateSigns signs =
       imaged_state(source.leaflets, source.annulus_mm, thickness_mm, options.budget);
   const std::string seen = "they leave " + significant(100.0 * signs.uncovered_share, 2) +
-                           " % of the annulus's area uncovered";
+                           " % of the annular area uncovered";
   const char* looks = signs.state == ImagedState::Closed       ? "closed"
                       : signs.state == ImagedState::HalfClosed ? "half closed"
                                                                : "open";
@@ -42,20 +42,21 @@ JudgedState judged_state(const ImportSource& source, const ImportOptions& option
   if (signs.state == ImagedState::Open) return {false, {{"state", "imaged open", seen}}};
   if (signs.state == ImagedState::HalfClosed)
     return {false,
-            {{"state", "imaged half closed, taken as open",
-              seen + "; from 12 to 25 % is neither: what is stretched already counts as unstressed",
+            {{"state", "imaged half closed, interpreted as open",
+              seen + "; 12 to 25 % is ambiguous, and stretched tissue is treated as unstressed",
               true}}};
   if (!options.chordae_seed)
     return {false,
-            {{"state", "the leaflets look closed, but are taken as open: chordae were given",
-              seen + "; the open shape is derived only where chordae are drawn (--chordae "
-                     "synthesise)",
-              true}}};
+            {{"state",
+              "the leaflets look closed but are interpreted as open, because chordae were given",
+              seen + "; the open shape is derived only with --chordae synthesise", true}}};
   if (source.leaflets.size() != 2)
-    return {false,
-            {{"state", "the leaflets look closed, but are taken as open: they came as one skirt",
-              seen + "; the open shape is derived from an anterior and a posterior one", true}}};
-  return {true, {{"state", "imaged closed", seen + ", 12 % at most is closed", true}}};
+    return {
+        false,
+        {{"state",
+          "the leaflets look closed but are interpreted as open, because they form one skirt",
+          seen + "; the open shape is derived only from an anterior and a posterior sheet", true}}};
+  return {true, {{"state", "imaged closed", seen + ", and at most 12 % means closed", true}}};
 }
 
 Expected<double> tissue_thickness(const ImportOptions& options,
@@ -66,8 +67,9 @@ Expected<double> tissue_thickness(const ImportOptions& options,
     mean_mm += of.mean_mm / static_cast<double>(measured.size());
   if (options.thickness_measured) {
     if (measured.empty())
-      return Error{ErrorCode::MissingField, "/thickness_measured",
-                   "needs thick leaflets; these are sheets, so give a thickness in millimetres"};
+      return Error{
+          ErrorCode::MissingField, "/thickness_measured",
+          "requires thick leaflets; these are sheets, so specify a thickness in millimetres"};
     decisions.push_back({"thickness", significant(mean_mm, 2) + " mm", "as measured", true});
     return mean_mm;
   }
@@ -77,9 +79,10 @@ Expected<double> tissue_thickness(const ImportOptions& options,
   }
   if (!measured.empty())
     decisions.push_back({"thickness",
-                         "tissue keeps " + significant(own_mm, 2) + " mm; the shells measure " +
-                             significant(mean_mm, 2) + " mm",
-                         "segmentation thickens by about a voxel (--thickness measured takes it)"});
+                         "the tissue thickness remains " + significant(own_mm, 2) +
+                             " mm; the shells measure " + significant(mean_mm, 2) + " mm",
+                         "segmentation thickens leaflets by about a voxel (--thickness measured "
+                         "uses the measured value)"});
   return own_mm;
 }
 

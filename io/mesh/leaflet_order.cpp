@@ -68,7 +68,7 @@ const char* words_of(LeafletClaim claim) {
     case LeafletClaim::Named:
       return "by name";
     case LeafletClaim::Guessed:
-      return "by what they look like";
+      return "by their shape";
   }
   return "";
 }
@@ -134,17 +134,17 @@ Expected<SettledOrder> settle_leaflet_order(ImportSource& source, bool trust_lab
   const bool wrong = confidence < kContradicts;
   const std::string readings = both_readings(signs, order, anterior);
   if (!guessed && wrong && signs.share[0] >= kRefusedShare && !trust_labels)
-    return Error{
-        ErrorCode::BadGeometry, "/leaflets/0",
-        "is said to be the anterior leaflet and looks like the posterior one: " + readings + "; " +
-            order.swap + ", or say that what is given is right (--trust-labels)"};
+    return Error{ErrorCode::BadGeometry, "/leaflets/0",
+                 "is designated as the anterior leaflet but has the shape of the posterior one: " +
+                     readings + "; " + order.swap +
+                     ", or confirm the designation with --trust-labels"};
   settled.decisions.push_back(
       {"leaflets",
        order.called[anterior] + " is the anterior leaflet, " + order.called[1 - anterior] +
            " the posterior one",
        std::string(guessed && trust_labels ? "by their order" : words_of(order.claim)) +
            (order.numbered[anterior].empty() || wrong ? "" : ", " + order.numbered[anterior]) +
-           (wrong ? ", against what they look like: " : ": ") + readings,
+           (wrong ? ", contrary to their shape: " : ": ") + readings,
        wrong || (settled.swapped && !order.numbered[0].empty()) || (guessed && confidence < kSure),
        confidence});
   if (!settled.swapped) return settled;

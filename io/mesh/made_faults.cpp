@@ -55,9 +55,9 @@ Errors made_faults(const Errors& errors, const Valve& valve,
     ++known->second.second;
     if (!is_new) continue;
     const bool of_valve = !error.path.empty() && !error.path.starts_with("/tips");
-    std::string message = (of_valve ? "the valve made of the files " : "") + error.message;
+    std::string message = (of_valve ? "the valve made from the files " : "") + error.message;
     if (face)
-      message = called[side] + " makes a leaflet that is not sound: near " +
+      message = called[side] + " yields a defective leaflet: near " +
                 place_text(valve, *face, unit) + ", in " +
                 to_string(valve.segments[static_cast<std::size_t>(*face)]) + ", a triangle " +
                 error.message;
@@ -65,7 +65,7 @@ Errors made_faults(const Errors& errors, const Valve& valve,
   }
   for (const auto& [what, of] : alike)
     if (of.second > 1)
-      told[of.first].message += " (" + std::to_string(of.second) + " places are like this)";
+      told[of.first].message += " (" + std::to_string(of.second) + " places in all)";
   return told;
 }
 

@@ -21,7 +21,7 @@ ImportDecision landmark_decision(const Skirt& skirt) {
               "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
           skirt.commissures_measured || skirt.commissures_given
               ? ""
-              : "one skirt does not tell where leaflets meet"};
+              : "a skirt does not show where the leaflets meet"};
 }
 
 }  // namespace
@@ -38,10 +38,10 @@ std::vector<ImportDecision> closed_decisions(const Skirt& skirt, double hidden_m
       {"state",
        "imaged closed, under pressure; heights of the open leaflets are the exposed lengths / " +
            significant(kClosedStretch, 3) + " + " + significant(hidden_mm, 2) +
-           " mm hidden in coaptation, at the commissures those of a human valve",
+           " mm hidden in coaptation; heights at the commissures are those of a human valve",
        "exposed at A2 " + significant(skirt.anterior_exposed_mm, 3) + " mm, at P2 " +
            significant(skirt.posterior_exposed_mm, 3) +
-           " mm; coapt fit finds the hidden height, chordae and tips from the same surface"}};
+           " mm; coapt fit estimates the hidden height, chordae and tips from the same surface"}};
 }
 
 std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Skirt& skirt,
@@ -57,8 +57,8 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                   "cut by half-planes through the annulus axis to " + counted(skirt.stations) +
                       " stations of equal annulus arc (" + significant(skirt.spacing_mm, 3) +
                       " mm) x " + counted(skirt.rows) + " rows, " + counted(valve.faces.rows()) +
-                      " triangles; smoothed along the annulus by a hat of " +
-                      significant(skirt.hat_mm, 3) + " mm to either side, not otherwise",
+                      " triangles; smoothed along the annulus with a half-width of " +
+                      significant(skirt.hat_mm, 3) + " mm",
                   "distance from the sheets " + significant(off.to_sheets_rms_mm, 3) + " mm RMS, " +
                       significant(off.to_sheets_max_mm, 3) + " mm at most, of the sheets from it " +
                       significant(off.from_sheets_rms_mm, 3) + " and " +
@@ -68,20 +68,20 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                   is_far(off), is_far(off) ? 0.5 : 1.0});
   told.push_back({"annulus",
                   "sheets joined to the annulus line; holes and bites bridged, " +
-                      significant(skirt.widest_bridge_mm, 3) + " mm at the widest",
-                  "they were " + significant(skirt.annulus_gap_mm, 3) + " mm away in the mean"});
+                      significant(skirt.widest_bridge_mm, 3) + " mm wide at most",
+                  "they were " + significant(skirt.annulus_gap_mm, 3) + " mm apart on average"});
   told.push_back({"commissures",
-                  counted(bare) + " stations without sheet interpolated between their neighbours",
+                  counted(bare) + " stations without a sheet interpolated between their neighbours",
                   "which closes the commissures"});
   told.push_back(landmark_decision(skirt));
   told.push_back(
       {"state",
        valve.tissue.reference == TissueReference::InVivo
-           ? "the imaged state is taken as that of the unpressurised heart"
-           : "the imaged state is taken as unstressed",
+           ? "the imaged state is interpreted as that of the unpressurised heart"
+           : "the imaged state is interpreted as stress-free",
        std::string(source.pressed_annulus_mm.rows() > 0
-                       ? "annulus and papillary tips under pressure came with it"
-                       : "its annulus and papillary tips as those under pressure") +
+                       ? "the import includes annulus and papillary tips under pressure"
+                       : "annulus and papillary tips are used under pressure as well") +
            (own_tissue ? "; tissue and pressure, too" : "; tissue of thesis table 2.1")});
   return told;
 }

@@ -107,7 +107,7 @@ MeshParts in_large_pieces(TriangleMesh mesh) {
     parts.parts.push_back({"", std::move(mesh), {}});
     return parts;
   }
-  parts.told_apart_by = "pieces that do not hang together";
+  parts.told_apart_by = "connected components";
   add_parts(mesh, of_face, parts, {}, {});
   return parts;
 }
@@ -257,7 +257,7 @@ Expected<Points> read_mesh_line(std::string_view bytes, std::string_view format)
   if (line.rows() > 0) return line;
   return Error{segments.empty() ? ErrorCode::MissingField : ErrorCode::BadTopology, "/lines",
                segments.empty() ? "is empty; a closed loop needs lines"
-                                : "do not hang together as one loop; an annulus is one"};
+                                : "do not form a single loop; an annulus must be one loop"};
 }
 
 }  // namespace coapt

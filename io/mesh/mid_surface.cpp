@@ -252,8 +252,8 @@ double opposed_share(const TriangleMesh& shell, const ClosureBudget& budget) {
 
 Expected<MidSurface> mid_surface(const TriangleMesh& input, const ClosureBudget& budget) {
   const Error unclear{ErrorCode::BadTopology, "/faces",
-                      "is a closed surface whose two sides cannot be told; must be one sheet, or a "
-                      "shell at most 8 mm thick"};
+                      "is a closed surface whose two sides cannot be distinguished; must be one "
+                      "sheet, or a shell at most 8 mm thick"};
   const Shell shell = facing_itself(input, budget);
   if (shell.opposed_share < kLeastOpposed) return unclear;
   const std::vector<int> colour = two_coloured(shell);

@@ -67,7 +67,8 @@ double station_height_mm(const Skirt& skirt, int station) {
 }
 
 std::string range_text(const Range& range, const char* unit) {
-  return "usual are " + significant(range.min, 3) + " to " + significant(range.max, 3) + unit;
+  return "the usual range is " + significant(range.min, 3) + " to " + significant(range.max, 3) +
+         unit;
 }
 
 }  // namespace
@@ -98,17 +99,17 @@ Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
   const double median = sides[sides.size() / 2];
   if (std::abs(turned) > 3.0 * std::numbers::pi)
     return Error{ErrorCode::BadGeometry, "/annulus_mm",
-                 "leads round its middle " +
+                 "encircles its centre " +
                      std::to_string(std::lround(std::abs(turned) / (2.0 * std::numbers::pi))) +
-                     " times; must lead once round the annulus"};
+                     " times; must encircle it once"};
   if (longest < kLongSide * median || gap_deg < kGap_deg) return std::vector<ImportDecision>{};
   const std::string gap = "its longest side, " + significant(longest, 3) + " mm, is " +
                           significant(longest / median, 2) + " times the median side";
   if (gap_deg > kOpen_deg)
     return Error{ErrorCode::BadGeometry, "/annulus_mm",
                  "is open over " + significant(gap_deg, 3) + " degrees: " + gap +
-                     "; must lead all round the annulus, or leave it out and it is found along the "
-                     "leaflets' outlines"};
+                     "; must be a closed loop, or leave it out to have it detected along the "
+                     "leaflet outlines"};
   return std::vector<ImportDecision>{
       {"contour", "closed by a straight side over " + significant(gap_deg, 2) + " degrees", gap,
        true, 0.5}};
@@ -155,8 +156,8 @@ std::vector<ImportDecision> thickness_checks(const std::vector<TriangleMesh>& le
   return {
       {"size",
        "leaflets are " + significant(ratio, 2) + " times as thick along one direction as across it",
-       "usual is up to " + significant(kStretched, 2) +
-           "; the voxels may be of another size along one axis",
+       "up to " + significant(kStretched, 2) +
+           " is usual; the voxel size along one axis may be wrong",
        true, 0.5}};
 }
 
@@ -193,7 +194,7 @@ std::vector<ImportDecision> valve_checks(const FramedSource& source, const Skirt
         " mm");
   const Eigen::RowVector3d size = annulus.colwise().maxCoeff() - annulus.colwise().minCoeff();
   check("anteroposterior over transverse diameter", size.y() / size.x(), kDiameterRatio, "");
-  check("leaflets' area over the annulus's",
+  check("ratio of leaflet area to annular area",
         area_mm2({valve.rest_mm, valve.faces, {}}) / std::max(1.0, projected_area_mm2(annulus)),
         kAreaRatio, "");
   check("height at A2", station_height_mm(skirt, skirt.lateral_commissure / 2), kAnteriorMm, " mm");
@@ -203,9 +204,9 @@ std::vector<ImportDecision> valve_checks(const FramedSource& source, const Skirt
     check("depth of a papillary tip", -tip.position_mm.z(), kUsualTipDepthMm, " mm");
   if (!closed && skirt.annulus_gap_mm > kBeside_mm)
     doubts.push_back({"contour",
-                      "beside the leaflets, which begin " + significant(skirt.annulus_gap_mm, 3) +
-                          " mm away in the mean",
-                      "usual are up to " + significant(kBeside_mm, 2) + " mm", true, 0.5});
+                      "away from the leaflets, which begin " +
+                          significant(skirt.annulus_gap_mm, 3) + " mm away on average",
+                      "usual is up to " + significant(kBeside_mm, 2) + " mm", true, 0.5});
   return doubts;
 }
 

@@ -153,9 +153,10 @@ Errors drop_islands(RepairedSheet& sheet) {
   if (!(*largest > 0.0))
     return {{ErrorCode::BadGeometry, "/faces", "has no triangle with an area"}};
   if (large.size() > 1)
-    return {{ErrorCode::BadTopology, "/faces",
-             "comes in " + std::to_string(large.size()) + " parts of " + all_sizes(large) +
-                 " mm2; must be one sheet: pieces of less than 5 % of the largest are dropped"}};
+    return {
+        {ErrorCode::BadTopology, "/faces",
+         "comes in " + std::to_string(large.size()) + " parts of " + all_sizes(large) +
+             " mm2; must be one sheet (only pieces smaller than 5 % of the largest are dropped)"}};
   sheet.area_mm2 = *largest;
   sheet.islands = static_cast<int>(areas.size()) - 1;
   if (sheet.islands == 0) return {};
@@ -191,8 +192,8 @@ Errors mend_holes(RepairedSheet& sheet, std::size_t outlines, const ClosureBudge
                             significant(hole.centre_mm.x(), 3) + ", " +
                             significant(hole.centre_mm.y(), 3) + ", " +
                             significant(hole.centre_mm.z(), 3) +
-                            ") mm; holes of up to 6 mm are mended, a larger one must be filled "
-                            "first, and a perforation cannot be represented"});
+                            ") mm; holes up to 6 mm are filled, larger ones must be filled "
+                            "beforehand, and perforations cannot be represented"});
     } else if (hole.width_mm > kBridged_mm) {
       if (budget.is_cancelled()) break;
       fill(loops[i], hole.centre_mm, sheet.mesh);

@@ -158,10 +158,9 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
     const double anterior = found.lateral_mm - found.medial_mm;
     if (anterior > 0.1 * total && anterior < 0.9 * total) return found;
   }
-  return Error{
-      ErrorCode::BadGeometry, "/leaflets",
-      "must meet at two commissures: the anterior sheet in front, the posterior sheet behind, "
-      "both beginning within 3 mm of the annulus"};
+  return Error{ErrorCode::BadGeometry, "/leaflets",
+               "must meet at two commissures, with the anterior sheet in front, the posterior "
+               "sheet behind, and both beginning within 3 mm of the annulus"};
 }
 
 double median_length(const std::vector<Profile>& profiles) {

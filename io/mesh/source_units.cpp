@@ -31,7 +31,7 @@ void check_extent(const std::string& path, const Points& part, double annulus_ex
   problems.add(ErrorCode::BadGeometry, path,
                "spans " + significant(extent(part), 3) + " where the annulus spans " +
                    significant(annulus_extent, 3) +
-                   "; must span 0.25 to 4 times as much: are the units mixed?");
+                   "; must span 0.25 to 4 times as much, so check for mixed units");
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ UnitReading unit_reading(double length, const Range& usual, const std::string& w
     if (const double mm = in_mm(other) * length;
         other != found.unit && mm >= 0.3 * usual.min && mm <= 2.0 * usual.max)
       found.reason += ", " + in(other);
-  found.reason += "; say --units if another is right";
+  found.reason += "; use --units to change it";
   found.confidence = fitting.empty() ? 0.5 : 0.8;
   return found;
 }
@@ -98,7 +98,7 @@ double leaflets_extent(const ImportSource& source) {
 }  // namespace
 
 UnitReading unit_of(const ImportSource& source) {
-  if (source.unit) return {*source.unit, "as the files say", false, 1.0};
+  if (source.unit) return {*source.unit, "stated in the files", false, 1.0};
   if (source.annulus_mm.rows() > 0) {
     if (source.annulus_mm.rows() < 3 || !source.annulus_mm.allFinite()) return {};
     return unit_reading(ArcLength(source.annulus_mm).total_mm(), kUsualCircumferenceMm,
@@ -126,7 +126,7 @@ Errors impossible_size(const ImportSource& source, LengthUnit unit) {
     return {};
   return {{ErrorCode::BadGeometry, "/leaflets",
            "span " + significant(size_mm, 3) + " mm if in " + to_string(unit) +
-               ", must span 10 to 350 mm: is the scale right? (--units)"}};
+               ", must span 10 to 350 mm; check the scale (--units)"}};
 }
 
 namespace {

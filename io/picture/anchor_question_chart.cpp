@@ -58,12 +58,13 @@ std::string anchor_question_svg(const std::vector<AnchorAnswer>& answers) {
     }
     map.values.push_back(block);
   }
-  const Drawn heading = draw_heading(
-      {"When is the trigone the better anchor?",
-       "Percent of anatomies where the trigone has less than the saddle peak of: mean and sd of "
-       "the orifice in the region of interest, sd by suture length, movement of the muscle, share "
-       "of the region that leaks. A tie (within 1 %) counts half. By protocol.",
-       {}});
+  const Drawn heading =
+      draw_heading({"Anatomies in which the trigone is the better anchor",
+                    "Percentage of anatomies where the trigone yields lower values than the saddle "
+                    "peak, for mean and sd of the orifice in the region of interest, sd due to "
+                    "suture length, displacement of the muscle, and leaking fraction of the "
+                    "region. A tie (within 1 %) counts half. By protocol.",
+                    {}});
   const HeatScale scale{0.0, 100.0, 0};
   const double top = heading.bottom;
   const double bottom = top + kWords_px + kRow_px * static_cast<double>(protocols.size());
@@ -71,7 +72,7 @@ std::string anchor_question_svg(const std::vector<AnchorAnswer>& answers) {
   if (!protocols.empty())
     svg += draw_heat_map(map, scale, {kLeft_px, top, kFigureWidth - kRight_px, bottom});
   svg += draw_scale(scale, "percent of anatomies", kLeft_px, bottom + 14.0);
-  return figure_svg("When is the trigone the better anchor?", svg, {bottom + 64.0});
+  return figure_svg("Anatomies in which the trigone is the better anchor", svg, {bottom + 64.0});
 }
 
 }  // namespace coapt

@@ -95,7 +95,7 @@ void draw_colours(const Canvas& canvas, const DistanceMap& map) {
     draw_text(canvas, {left + 0.5 * kLength * (share + 1.0), top + kThick + 18.0},
               (share > 0.0 ? "+" : "") + fixed(share * map.range_mm, decimals),
               {13.0, palette::kMuted, Align::Centre});
-  draw_text(canvas, {left + kLength + 40.0, top + kThick}, "mm off the reference",
+  draw_text(canvas, {left + kLength + 40.0, top + kThick}, "mm from the reference",
             {13.0, palette::kMuted});
 }
 
@@ -121,7 +121,7 @@ std::string distance_map_png(const DistanceMap& map) {
   const double width = 0.5 * (kMapWidth - 3.0 * kMapEdge),
                height = kMapHeight - kMapTop - kMapScaleHeight;
   draw_side(canvas, map, eye_of(map, 1.0), {kMapEdge, kMapTop, width, height},
-            "from where the normals point (coapt: the atrium)");
+            "from the side of the normals (coapt: the atrium)");
   draw_side(canvas, map, eye_of(map, -1.0), {2.0 * kMapEdge + width, kMapTop, width, height},
             "from behind (coapt: the ventricle)");
   draw_colours(canvas, map);

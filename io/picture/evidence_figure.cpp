@@ -96,7 +96,7 @@ Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
   return [&curves](const PlotBox& box) {
     constexpr std::array kHues = {Hue::Blue, Hue::Green, Hue::Orange, Hue::Vermillion};
     constexpr std::array kMarks = {Mark::Line, Mark::LongDashed, Mark::Dotted, Mark::DashDotted};
-    LinePanel panel{{"Under further remodelling", "tips moved further, mm", "leak, mm²"}, {}};
+    LinePanel panel{{"With further remodelling", "further tip displacement, mm", "leak, mm²"}, {}};
     double farthest = 0.0;
     for (std::size_t i = 0; i < curves.size(); ++i) {
       PanelSeries series{curves[i].direction,
@@ -109,7 +109,7 @@ Panel remodelling_panel(const std::vector<RemodellingCurve>& curves) {
       farthest = std::max(farthest, static_cast<double>(series.y.size()) - 1.0);
       panel.series.push_back(std::move(series));
     }
-    panel.series.push_back({"limit of a good repair",
+    panel.series.push_back({"limit of an acceptable repair",
                             {0.0, farthest},
                             {kMildLeak_mm2, kMildLeak_mm2},
                             Hue::Ink,
@@ -155,21 +155,22 @@ Panel indices_panel(const RegionIndices& indices, const RepairPlan& plan) {
                                              "angle outwards", "angle backwards"};
     constexpr double kRow = 62.0, kThick = 16.0;
     const double left = box.left + 20.0, width = box.right - 30.0 - left;
-    std::string svg = text_at(left, box.top + 18.0, "class=\"head\"", "Which error matters most");
+    std::string svg =
+        text_at(left, box.top + 18.0, "class=\"head\"", "Sensitivity to errors of execution");
     double y = box.top + 52.0;
     for (std::size_t i = 0; i < axes.size(); ++i, y += kRow) {
       const double alone = std::clamp(indices.first[i], 0.0, 1.0);
       const double total = std::clamp(indices.total[i], 0.0, 1.0);
       svg += text_at(left, y, "", axes[i]);
       svg += text_at(left + width, y, "class=\"tick\" text-anchor=\"end\"",
-                     fixed(100.0 * indices.first[i], 0) + " % alone, " +
-                         fixed(100.0 * indices.total[i], 0) + " % with interactions");
+                     fixed(100.0 * indices.first[i], 0) + " % first order, " +
+                         fixed(100.0 * indices.total[i], 0) + " % total");
       svg += line_at("grid", left, y + 8.0 + 0.5 * kThick, left + width, y + 8.0 + 0.5 * kThick);
       svg += bar("area", left, y + 8.0, total * width, kThick);
       svg += bar("solid", left, y + 8.0, alone * width, kThick);
     }
-    for (const char* line : {"Shares of the leak's variance over the region (Sobol):",
-                             "dark: the error alone; light: with its interactions."})
+    for (const char* line : {"Sobol indices of the leak over the region:",
+                             "dark: first order; light: total, including interactions."})
       svg += text_at(left, (y += 16.0) - 12.0, "class=\"tick\"", line);
     return svg;
   };
@@ -189,10 +190,9 @@ std::string evidence_svg(const RankedPlan& plan, const ValveMeasure& before) {
   panels.push_back(coaptation_panel(before, plan.measure));
   std::string svg;
   if (maps)
-    svg =
-        draw_scale({0.0, kLeakLimits_mm2.back(), 0, kLeakLimits_mm2},
-                   "mm² of leak. Framed: as planned. Both muscles: mean over the angles backwards.",
-                   60.0, 12.0);
+    svg = draw_scale({0.0, kLeakLimits_mm2.back(), 0, kLeakLimits_mm2},
+                     "Leak, mm². Frame: the plan. Both muscles: mean over posterior angles.", 60.0,
+                     12.0);
   const CellGrid grid{static_cast<int>(panels.size()), columns_for(panels.size()),
                       maps ? kScaleHeight : 4.0, kPanelHeight};
   for (int i = 0; i < grid.count; ++i) svg += panels[static_cast<std::size_t>(i)](cell(grid, i));

@@ -12,13 +12,13 @@ std::string words(const FittedParameter& fitted) {
          fixed(fitted.sd, digits) + (fitted.parameter.unit == "mm" ? " mm" : "");
 }
 
-/// What a fit with ruptures decided: "; marginal chordae of P2 taken as ruptured (probability 0.99)".
+/// What a fit with ruptures decided: "; marginal chordae of P2 assumed ruptured (probability 0.99)".
 std::string lesion_words(const ValveFit& fit) {
   for (const FitHypothesis& of : fit.hypotheses)
     if (of.name == fit.taken) {
       const std::string lesion =
-          of.name == "intact" ? "chordae taken as given"
-                              : "marginal chordae of " + of.name.substr(9) + " taken as ruptured";
+          of.name == "intact" ? "chordae as in the valve file"
+                              : "marginal chordae of " + of.name.substr(9) + " assumed ruptured";
       return "; " + lesion + " (probability " + fixed(of.probability, 2) + ')';
     }
   return "";
@@ -32,7 +32,7 @@ std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, Measure
       signed_distances_mm(surface.vertices_mm, surface_of(fit.closed), side);
   return distance_map_png(
       {surface.vertices_mm, surface.faces, distances, round_range_mm(2.0 * fit.rms_mm),
-       name + " against the fitted valve",
+       name + " compared with the fitted valve",
        "rms " + fixed(fit.rms_mm, 3) + " mm; research software, not a medical device"});
 }
 

@@ -268,11 +268,11 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
             kImportWidth - 2.0 * kEdge);
   const Sheet sheet = sheet_for(imported);
   draw_views(canvas, sheet, imported);
-  std::string third = "Closed as given, with the landmarks found";
+  std::string third = "Input, closed, with the detected landmarks";
   if (imported.input.closed)
     draw_landmarks_on_given(canvas, sheet, imported);
   else
-    third = "Off what was given: " + draw_distances(canvas, sheet, imported);
+    third = "Distance from the input: " + draw_distances(canvas, sheet, imported);
   draw_middle(canvas, sheet, imported);
   const std::size_t count = imported.input.leaflets.size();
   const auto head = [&](int column, int row, const std::string& text) {
@@ -281,13 +281,13 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
               box.width);
   };
   head(0, 0,
-       std::string("As given, from the atrium: ") +
+       std::string("Input, seen from the atrium: ") +
            (count == 1 ? "one surface" : std::to_string(count) + " surfaces"));
-  head(1, 0, "The valve made of it: " + std::to_string(imported.valve.faces.rows()) + " triangles");
+  head(1, 0, "Resulting valve: " + std::to_string(imported.valve.faces.rows()) + " triangles");
   head(2, 0, third);
-  head(0, 1, "As given, from behind: anterolateral left");
+  head(0, 1, "Input, seen from posterior: anterolateral left");
   head(1, 1, "The valve: " + std::to_string(imported.valve.chordae.size()) + " chordae");
-  head(2, 1, "Cut through the middle, anterior left; pale: as given");
+  head(2, 1, "Section through the middle, anterior left; pale: input");
   draw_text(canvas, {0.5 * kImportWidth, kImportHeight - 14.0}, std::string(kResearchNotice),
             {13.0, palette::kMuted, Align::Centre}, kImportWidth - 2.0 * kEdge);
   return to_png(canvas);

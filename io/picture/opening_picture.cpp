@@ -38,8 +38,9 @@ void draw_words(const Canvas& canvas, const Vec2& at, const OpenedValve& opened,
   }
   if (trusted(opened.closure)) return;
   draw_text(canvas, {at.x(), y + 30.0},
-            opened.closure.crossing ? "Leaflets pass through each other: nothing is measured"
-                                    : "The leaflets did not come to rest: nothing is measured",
+            opened.closure.crossing
+                ? "The leaflets cross, so nothing was measured"
+                : "The leaflets did not reach equilibrium, so nothing was measured",
             {15.0, palette::kWarning, Align::Left, true}, width);
 }
 
@@ -52,12 +53,13 @@ std::vector<std::string> opening_words(const OpeningMeasure& measure) {
               significant(measure.flow_ml_s, 3) + " ml/s, " +
               fixed(measure.gradient_exercise_mmhg, 1) + " mmHg at " +
               significant(measure.flow_exercise_ml_s, 3) + " ml/s",
-          "seen from the atrium " + cm2(measure.projected_area_mm2) + "; annulus in diastole " +
-              cm2(measure.annulus_area_mm2)};
+          "projected on the annular plane " + cm2(measure.projected_area_mm2) +
+              "; annulus in diastole " + cm2(measure.annulus_area_mm2)};
 }
 
 std::string opening_line(const OpenedValve& opened) {
-  if (!trusted(opened.closure)) return "In diastole the leaflets cross or did not come to rest";
+  if (!trusted(opened.closure))
+    return "In diastole the leaflets cross or did not reach equilibrium";
   return "Opening " + cm2(opened.measure.opening_area_mm2) + ", mean gradient " +
          fixed(opened.measure.gradient_mmhg, 1) + " mmHg at " +
          significant(opened.measure.flow_ml_s, 3) + " ml/s in diastole";

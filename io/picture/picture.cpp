@@ -40,11 +40,11 @@ std::vector<Line> caption(const ClosedValve& closed) {
                        fixed(closed.closure.residual, 3),
                    {15.0, converged ? palette::kInk : palette::kWarning}});
   lines.push_back(closed.closure.crossing
-                      ? Line{"Leaflets pass through each other (" +
+                      ? Line{"The leaflets cross (" +
                                  counted(closed.closure.crossing_pairs, "pair") +
-                                 " of triangles): do not trust this closure",
+                                 " of triangles); the closure is unreliable",
                              {15.0, palette::kWarning, Align::Left, true}}
-                      : Line{"No leaflet passes through another", {15.0}});
+                      : Line{"The leaflets do not cross", {15.0}});
   return lines;
 }
 
@@ -133,7 +133,7 @@ std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after)
   const double scale = common_scale(atrial_scale, column(0.0), before, after);
   double x = 0.0;
   for (const auto& [closed, title] :
-       {std::pair(&before, "Before, seen from the atrium"), std::pair(&after, "After")}) {
+       {std::pair(&before, "Before repair, seen from the atrium"), std::pair(&after, "After")}) {
     draw_text(canvas, {x + 8.0, 20.0}, title, {16.0, palette::kInk, Align::Left, true});
     draw_atrial_view(canvas, {column(x), scale}, *closed);
     x += 0.5 * kWidth + 4.0;
@@ -147,7 +147,7 @@ std::string section_change_png(const ClosedValve& before, const ClosedValve& aft
   const Canvas canvas = make_canvas(kWidth, kHeight, kDense);
   fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
   const Box section{0.0, 22.0, kWidth, kHeight - 22.0};
-  draw_text(canvas, {8.0, 20.0}, "After, cut through the middle; grey: before",
+  draw_text(canvas, {8.0, 20.0}, "After repair, section through the middle; grey: before",
             {16.0, palette::kInk, Align::Left, true}, kWidth - 16.0);
   draw_section_view(canvas, {section, common_scale(section_scale, section, before, after)}, after,
                     &before);

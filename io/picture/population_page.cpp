@@ -62,8 +62,8 @@ std::vector<std::string> factor_row(const std::string& words, const PriorFactor&
           factor.source};
 }
 
-const std::vector<std::string> kFactorHeader = {"factor",    "prior", "prior, cut off", "members",
-                                                "shift, sd", "by",    "where from"};
+const std::vector<std::string> kFactorHeader = {
+    "factor", "prior", "prior, truncated", "members", "shift, sd", "by", "source"};
 
 Table anatomy_table(const Population& population) {
   Table rows = {kFactorHeader};
@@ -83,7 +83,7 @@ Table lesion_table(const Population& population, const AetiologyPrior& aetiology
 }
 
 Table correlation_table(const Population& population) {
-  Table rows = {{"first", "second", "prior r", "members r", "by", "where from"}};
+  Table rows = {{"first", "second", "prior r", "members r", "by", "source"}};
   for (const PriorCorrelation& pair : population.prior.correlations)
     rows.push_back({anatomy_factors()[static_cast<std::size_t>(pair.first)].words,
                     anatomy_factors()[static_cast<std::size_t>(pair.second)].words,
@@ -96,9 +96,9 @@ Table correlation_table(const Population& population) {
 }
 
 Table draws_table(const Population& population) {
-  Table rows = {{"aetiology", "members", "anatomies drawn", "cannot be made", "not closed", "leak",
-                 "resist all lesions", "lesions drawn", "cannot be made", "not closed",
-                 "do not leak"}};
+  Table rows = {{"aetiology", "members", "anatomies drawn", "not constructible", "not closed",
+                 "leak", "competent with all lesions", "lesions drawn", "not constructible",
+                 "not closed", "still competent"}};
   for (const AetiologyPrior& aetiology : population.prior.aetiologies) {
     DrawCounts sum;
     long members = 0;
@@ -142,7 +142,7 @@ std::string anatomy_histograms(const Population& population) {
 }
 
 std::string leak_histograms(const Population& population) {
-  HistogramChart chart{"Leaks with the disease", "", {}, 2, 250.0};
+  HistogramChart chart{"Leak with disease", "", {}, 2, 250.0};
   for (const AetiologyPrior& aetiology : population.prior.aetiologies) {
     Sample sample{"members", {}, Hue::Vermillion};
     for (const PopulationMember& member : population.members)
@@ -183,22 +183,24 @@ std::string assumed_words(const PopulationPrior& prior) {
     for (const PriorFactor& lesion : aetiology.lesions) count(lesion.assumed);
   }
   return "Of " + std::to_string(all) + " distributions, correlations and shares of the prior \"" +
-         prior.name + "\" " + std::to_string(all - assumed) + " come from a source and " +
-         std::to_string(assumed) + " are assumed, in whole or in part.";
+         prior.name + "\" " + std::to_string(all - assumed) + " have a source and " +
+         std::to_string(assumed) + " are assumed in whole or in part.";
 }
 
 std::string population_page(const Population& population) {
   std::vector<PageSection> sections = {
-      {"Which draws were rejected",
-       "An anatomy counts if it closes uncrossed and leaks at most 5 mm² before disease; a disease "
-       "counts if the valve closes uncrossed and leaks more than that. An anatomy that resists 40 "
-       "draws of its disease is replaced. So the members are the prior's given both.",
+      {"Rejected draws",
+       "An anatomy is accepted if its leaflets close without crossing and leak at most 5 mm² "
+       "before disease; a disease is accepted if they close without crossing and leak more than "
+       "that. An anatomy that stays competent in 40 draws of its disease is replaced. The members "
+       "therefore follow the prior conditional on both.",
        leak_histograms(population), draws_table(population)},
       {"Anatomy", assumed_words(population.prior), anatomy_histograms(population),
        anatomy_table(population)},
-      {"Correlations of the anatomy",
-       "Of the normal variables behind the values (prior), of the values (members).", "",
-       correlation_table(population)}};
+      {"Correlations between dimensions",
+       "Prior: correlations of the underlying normal variables; members: correlations of the "
+       "values.",
+       "", correlation_table(population)}};
   for (const AetiologyPrior& aetiology : population.prior.aetiologies)
     sections.push_back({std::string("Lesions: ") + to_string(aetiology.aetiology),
                         "Share: " + aetiology.source + ".", "",

@@ -76,14 +76,14 @@ std::string wins_svg(const PopulationStudy& study) {
     map.values.push_back(std::move(rows));
   }
   constexpr double kHeight = 330.0;
-  return figure_svg("Which repair wins",
+  return figure_svg("Best repair",
                     draw_heat_map(map, {0.0, 100.0, 0}, {190.0, 50.0, 980.0, kHeight - 30.0}),
                     {kHeight});
 }
 
 std::string undersizing_svg(const PopulationStudy& study) {
   LineChart chart{
-      "How much undersizing", "Own annulus smaller by sizes of 2 mm; bars: 95 %.", {}, 2};
+      "Effect of undersizing", "Annulus reduced in steps of 2 mm; bars: 95 % intervals.", {}, 2};
   constexpr std::array kHues = {Hue::Ink, Hue::Blue, Hue::Vermillion, Hue::Green, Hue::Purple};
   LinePanel share{{"Share of valves that leak at most 5 mm²", "sizes below", "%"}, {}};
   LinePanel leak{{"Mean leak", "sizes below", "mm²"}, {}};
@@ -206,7 +206,7 @@ std::vector<std::string> study_sentences(const PopulationStudy& study) {
   }
   if (!study.searched.empty()) {
     const SearchRegret regret = search_regret(study.searched);
-    all.push_back("Against the full search on " +
+    all.push_back("Compared with the full search on " +
                   counted(std::ssize(study.searched), "held-out valve") + ": the tree costs " +
                   mean_words(regret.tree_cost) + " more and leaves " +
                   mean_words(regret.tree_leak_mm2) + " mm² more.");
@@ -219,41 +219,41 @@ std::string population_study_page(const PopulationStudy& study, const std::strin
   for (const std::string& sentence : study_sentences(study)) sentences += sentence + "\n\n";
   std::vector<PageSection> sections = {
       {"In short", sentences, "", {}},
-      {"Which repair wins",
-       "The cheapest by the cost of the search (leak, its spread, effort), over " +
+      {"Best repair",
+       "Repair with the lowest cost of the search (leak, its spread, effort), over " +
            std::to_string(study.nodes) +
-           " closures of each repair. As good: it costs less than 1 mm² more, the price of one "
-           "step.",
+           " closures of each repair. As good: its cost is less than 1 mm² higher, the weight of "
+           "one step.",
        wins_svg(study),
        {}},
-      {"How much undersizing", "", undersizing_svg(study), {}},
+      {"Effect of undersizing", "", undersizing_svg(study), {}},
       {"Trigone or saddle peak",
-       "Leaks that differ by up to 0.25 mm² count as the same: so much closures differ that are "
-       "started otherwise. Negative: the trigone leaks less.",
+       "Leaks that differ by up to 0.25 mm² count as equal, because closures from different "
+       "starting states differ by as much. Negative: the trigone leaks less.",
        "", anchors_table(study)}};
   if (study.tree) {
     sections.push_back(
-        {"A tree for the surgeon",
-         "Regret: what a rule costs more than the best candidate of each held-out "
-         "valve; means with 95 % intervals. A repair that cannot be done costs 1,000.",
+        {"Decision tree",
+         "Regret: cost of a rule in excess of the best candidate for each held-out valve; means "
+         "with 95 % intervals. A repair that is not possible costs 1,000.",
          tree_svg(*study.tree), rules_table(*study.tree)});
   }
   if (!study.searched.empty())
-    sections.push_back({"Against the full search", "", "", searched_table(study)});
+    sections.push_back({"Comparison with the full search", "", "", searched_table(study)});
   StudyTable decided = decided_table(study);
-  if (decided.size() == 1) decided = {{"too few valves to tell"}};
+  if (decided.size() == 1) decided = {{"too few valves"}};
   sections.push_back(
-      {"What decides",
-       "Sobol's total shares over the prior's factors, each as its share in its distribution. The "
-       "factors of the anatomy are correlated, and the members are those that are competent and "
-       "then leak: the shares are those of a polynomial that is fitted as if they were "
-       "independent. Q2: share of the variance predicted for valves left out; below 0.5 (low) the "
-       "shares say little.",
+      {"Influential factors",
+       "Total Sobol indices of the factors of the prior, each expressed by its quantile. "
+       "Anatomical factors are correlated, and members are selected for being competent before and "
+       "leaking after disease; the indices come from a polynomial fitted as if the factors were "
+       "independent. Q2: fraction of variance predicted for held-out valves; below 0.5 (low) the "
+       "indices are unreliable.",
        "", std::move(decided)});
   for (const GroupFindings& group : study.groups)
     if (group.aetiology)
       sections.push_back({"All repairs: " + title_of(group), "", "", candidates_table(group)});
-  return study_page("Which repair suits which valve", lead, sections);
+  return study_page("Comparison of repairs across a population", lead, sections);
 }
 
 }  // namespace coapt

@@ -67,11 +67,10 @@ std::string before_and_after(const ValveMeasure& before, const ValveMeasure& aft
 
 std::string independent_words(const LeakStatistics& leak) {
   if (!std::isfinite(leak.mean)) return "";
-  return "<p class=\"small\">The map of both muscles gives both the same error. If all that is "
-         "done errs by itself "
-         "(each muscle; a ring up to 1.5 mm off and turned by up to 5 degrees, one of its sutures "
-         "torn "
-         "out in a quarter of the cases; neochordae up to 1 mm too short or long), the leak is " +
+  return "<p class=\"small\">The map of both muscles applies the same error to both. With "
+         "independent errors (each muscle; a ring displaced by up to 1.5 mm and rotated by up to 5 "
+         "degrees, with one suture torn out in a quarter of the cases; neochordae up to 1 mm too "
+         "short or too long), the leak is " +
          mean_and_sd(leak) + " mm², at worst " + fixed(leak.worst, 1) + " mm².</p>\n";
 }
 
@@ -79,7 +78,7 @@ std::string region_words(const RegionReport& region) {
   std::string words = grouped(region.closures) + (region.closures == 1 ? " closure" : " closures") +
                       " over the region of interest";
   if (region.failures > 0)
-    words += ", " + grouped(region.failures) + " of which failed and are left out";
+    words += ", " + grouped(region.failures) + " of which failed and are excluded";
   return words;
 }
 
@@ -94,16 +93,16 @@ std::string figure_words(const RegionReport& region) {
   std::string words;
   if (!region.maps.empty())
     words +=
-        "Heat maps: the leak for sutures (without one: for distances from tip to trigone) up to 1 "
-        "mm too short (bottom) or too long (top) and tips up to 5 degrees inwards (left) or "
-        "outwards (right); the framed cell is the plan as planned. ";
+        "Heat maps: leak with sutures (or, without one, distances from tip to trigone) up to 1 mm "
+        "too short (bottom) or too long (top) and tips up to 5 degrees inwards (left) or outwards "
+        "(right); the frame marks the plan. ";
   if (!region.remodelling.empty())
     words +=
-        "Remodelling: the leak when the tips move further away after the repair while a taut "
-        "suture holds; above the dashed line the repair is no longer good. ";
+        "Remodelling: leak when the tips move further away after the repair while a taut suture "
+        "holds; above the dashed line the repair is no longer acceptable. ";
   if (std::isfinite(region.indices.total[0]))
-    words += "Bars: how much of the leak's variance each error explains. ";
-  return words + "Coaptation: how high the leaflets touch, from commissure to commissure.";
+    words += "Bars: fraction of the leak variance explained by each error. ";
+  return words + "Coaptation: height of leaflet contact from commissure to commissure.";
 }
 
 std::string details(const PlanReport& report, std::size_t index) {

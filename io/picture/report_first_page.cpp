@@ -33,19 +33,19 @@ std::string place_words(const std::vector<RankedPlan>& plans, std::size_t index)
   });
   if (alike > 1)
     return (plan.simplest_of_class ? "It is the simplest of " : "It is one of ") +
-           std::to_string(alike) + " plans that cannot be told apart.";
+           std::to_string(alike) + " equivalent plans.";
   const double ahead = plan.probability_outranks_next;
   if (index + 1 == plans.size() || !std::isfinite(ahead)) return "";
-  return "It is rightly before plan " + std::to_string(plans[index + 1].rank) +
+  return "It is better than plan " + std::to_string(plans[index + 1].rank) +
          " with a probability of " + (ahead > kCounted ? "more than 99 %" : percent(ahead)) + ".";
 }
 
 std::string stop_words(SearchStop stop) {
   switch (stop) {
     case SearchStop::Cancelled:
-      return "The search was cancelled: this is the best so far.";
+      return "The search was cancelled; this is the best plan so far.";
     case SearchStop::TimeLimit:
-      return "The search ran out of time: this is the best so far.";
+      return "The search reached its time limit; this is the best plan so far.";
     case SearchStop::EvaluationLimit:
     case SearchStop::Exhausted:
     case SearchStop::NoImprovement:
@@ -62,29 +62,31 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
   const bool failed = plan.status != ClosureStatus::Converged || plan.crossing;
   const bool acceptable = plan.is_acceptable && !failed && varied(plan);
   if (failed)
-    words = "The simulation of this plan failed: do not trust its figures.";
+    words = "The simulation of this plan failed; its results are unreliable.";
   else if (!varied(plan))
-    words = "It is not known whether this plan is acceptable: it was not closed under variations.";
+    words =
+        "It is unknown whether this plan is acceptable, because it was not closed with errors of "
+        "execution.";
   else if (acceptable && plan.plan.steps.empty())
-    words = "The valve is competent: no operation is indicated.";
+    words = "The valve is competent; no repair is indicated.";
   else if (acceptable)
     words = "The repaired valve leaks less than 5 mm² with a probability of " +
-            percent(plan.acceptable_probability) + ", over " + grouped(region.closures) +
-            " variations of the operation, the model's own error and that of the mesh.";
+            percent(plan.acceptable_probability) + ", given " + grouped(region.closures) +
+            " errors of execution and the errors of tissue and mesh.";
   else if (!closes_finely(plan))
     words =
-        "This plan is not acceptable: it does not close the valve on the finer mesh that "
-        "verdicts need.";
+        "This plan is not acceptable, because it does not close the valve on the finer mesh of the "
+        "final check.";
   else
     words =
-        "This plan is not acceptable: the repaired valve leaks less than 5 mm² with a "
-        "probability of " +
-        percent(plan.acceptable_probability) + " only.";
+        "This plan is not acceptable: the repaired valve leaks less than 5 mm² with a probability "
+        "of only " +
+        percent(plan.acceptable_probability) + ".";
   std::string html =
       acceptable ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
   html += escape_html(words) + "</strong>";
   if (!report.result.any_acceptable)
-    html += " No plan is acceptable; the ranking starts with the least bad.";
+    html += " No plan is acceptable; plans are listed from the least to the most unfavourable.";
   for (const std::string& more :
        {place_words(report.result.plans, plan_in_front(report)), stop_words(report.result.stop)})
     if (!more.empty()) html += " " + escape_html(more);
@@ -149,7 +151,7 @@ std::string opening_figure(const RankedPlan& plan) {
   if (!plan.opening) return "";
   if (!trusted(*plan.opening))
     return key_figure("Opening in diastole", "not known",
-                      plan.opening->behind_clip ? "behind a clip" : "it did not come to rest");
+                      plan.opening->behind_clip ? "with a clip" : "no equilibrium was reached");
   return key_figure("Opening in diastole", known_figure(plan.estimates.opening_mm2, 0.01) + " cm²",
                     "mean gradient " + known_figure(plan.estimates.gradient_mmhg) +
                         " mmHg at rest; below 2.0 cm² is narrow");
@@ -157,11 +159,11 @@ std::string opening_figure(const RankedPlan& plan) {
 
 std::string durability_figure(const RankedPlan& plan) {
   if (!plan.durability) return "";
-  return key_figure("Further disease that it bears",
+  return key_figure("Reserve against progression",
                     known_figure(plan.estimates.durability_mm) + " mm",
-                    "of the muscle, until it leaks " + shown(kMildLeak_mm2) + " mm²; " +
-                        percent(plan.durability->outlasting) + " of courses outlast " +
-                        shown(kFurthestCourse_mm) + " mm");
+                    "of papillary displacement until the leak exceeds " + shown(kMildLeak_mm2) +
+                        " mm²; " + percent(plan.durability->outlasting) +
+                        " of simulated courses exceed " + shown(kFurthestCourse_mm) + " mm");
 }
 
 std::string leak_figure(const Estimate& before, const Estimate& after) {
@@ -180,19 +182,21 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
   const LeakMargin& margin = plan.region.margin_to_leak;
   const ValveMeasure& after = plan.measure;
   const std::string of_variations =
-      varied(plan) ? "of " + grouped(plan.region.closures) + " variations" : "was not varied";
+      varied(plan) ? "of " + grouped(plan.region.closures) + " errors of execution"
+                   : "not closed with errors of execution";
   const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
   return "<dl>\n" + leak_figure(result.before_estimates.leak_mm2, plan.estimates.leak_mm2) +
-         key_figure("Leak when the repair varies",
-                    varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
-                    "± sd; 95 % below " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
-         key_figure("Variations that leak less than " + shown(kMildLeak_mm2) + " mm²",
+         key_figure(
+             "Leak with errors of execution",
+             varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
+             "± sd; 95th percentile " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
+         key_figure("Errors of execution with a leak below " + shown(kMildLeak_mm2) + " mm²",
                     percent(leak.below_5), of_variations) +
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
                         " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),
-                    "smallest error that leaks " + shown(kTraceLeak_mm2) + " mm²") +
+                    "smallest error with a leak of " + shown(kTraceLeak_mm2) + " mm²") +
          key_figure("Coaptation height, mean", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
                     "minimum " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
                         fixed(before.coaptation.height_mean_mm, 1) + ", minimum " +
@@ -200,9 +204,9 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
          key_figure("Highest chordal tension", with_unit(after.tension_max_n, 2, "N"),
                     "before " + with_unit(before.tension_max_n, 2, "N")) +
          key_figure("Ring undersizing", undersizing(plan),
-                    shown(kUsualSizesBelow) + " usual, more is rejected") +
+                    shown(kUsualSizesBelow) + " usual, more is not accepted") +
          opening_figure(plan) + durability_figure(plan) +
-         key_figure("Muscles moved, AL / PM", moved,
+         key_figure("Papillary displacement, AL / PM", moved,
                     "more than " + shown(kUsualMovement_mm) + " mm is unusual") +
          "</dl>\n";
 }
@@ -211,21 +215,22 @@ std::string how_sure(const RankedPlan& plan) {
   std::string words;
   if (varied(plan)) {
     words =
-        "Leak: the least area through which blood can flow back. Variations: suture length "
-        "(without a suture, the "
-        "tip's distance from its trigone) by up to 1 mm and direction of the tips by up to 5°, "
-        "in " +
+        "Leak: the smallest area through which blood can flow back. Errors of execution: suture "
+        "length (without a suture, the distance from tip to trigone) by up to 1 mm and direction "
+        "of the tips by up to 5°, in " +
         grouped(plan.region.closures) + (plan.region.closures == 1 ? " closure" : " closures");
     if (plan.region.failures > 0)
-      words += ", " + std::to_string(plan.region.failures) + " of which failed and are left out";
+      words += ", " + std::to_string(plan.region.failures) + " of which failed and are excluded";
     words += ". ";
   } else {
     words =
-        "This plan was not closed under variations: how it tolerates small errors is not known. ";
+        "This plan was not closed under errors of execution: how it tolerates small errors is not "
+        "known. ";
   }
   if (plan.model)
     words +=
-        "Model: tissue and chordae vary within what their sources allow, the same for all plans. ";
+        "Tissue error: tissue and chordae vary within the ranges of their sources, in the same "
+        "variants for all plans. ";
   return "<p class=\"small\">" + escape_html(words) + "Other errors (imaging, " +
          (plan.model ? "" : "tissue, ") +
          "ring placement) are not included; see <a "
@@ -233,15 +238,16 @@ std::string how_sure(const RankedPlan& plan) {
 }
 
 std::string care(const RankedPlan& plan) {
-  std::string html = "<div class=\"care\"><h3>What to watch</h3>\n";
+  std::string html = "<div class=\"care\"><h3>Warnings</h3>\n";
   std::vector<std::string> shown(
       plan.warnings.begin(),
       plan.warnings.begin() + std::min<std::ptrdiff_t>(std::ssize(plan.warnings), kWarningsShown));
   if (shown.size() < plan.warnings.size())
     shown.push_back(std::to_string(plan.warnings.size() - shown.size()) +
-                    " more: see the rules of practice");
-  html += shown.empty() ? "<p>The plan breaks no rule of practice that coapt can check.</p>\n"
-                        : list_html(shown, "<ul class=\"warning\">");
+                    " more in the rules of practice");
+  html += shown.empty()
+              ? "<p>The plan complies with all rules of practice that coapt can check.</p>\n"
+              : list_html(shown, "<ul class=\"warning\">");
   std::string unseen;
   for (const Gate& gate : plan.gates)
     if (gate.severity == GateSeverity::NotAssessed) {
@@ -282,9 +288,9 @@ std::string others(const PlanReport& report, std::size_t front) {
       "class=\"scroll\"><table "
       "class=\"dense\"><thead><tr><th scope=\"col\">Rank</th><th scope=\"col\" "
       "class=\"words\">Operation</th><th scope=\"col\">Leak, mm²<br>mean ± sd</th><th "
-      "scope=\"col\">95 %<br>below</th><th scope=\"col\">Below<br>5 mm²</th><th "
+      "scope=\"col\">95th<br>percentile</th><th scope=\"col\">Below<br>5 mm²</th><th "
       "scope=\"col\">Margin<br>mm · °</th><th scope=\"col\">Sizes<br>below</th><th "
-      "scope=\"col\">Moved, mm<br>AL / PM</th><th "
+      "scope=\"col\">Displaced, mm<br>AL / PM</th><th "
       "scope=\"col\">Tension<br>N</th></tr></thead><tbody>\n";
   const std::size_t first = front < kOthersShown ? kOthersShown : kOthersShown - 1;
   for (std::size_t i = 0; i < plans.size(); ++i)

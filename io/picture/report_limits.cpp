@@ -13,16 +13,16 @@ namespace {
 
 const std::vector<std::string>& how_far() {
   static const std::vector<std::string> kSentences = {
-      "An area of one closure: ± is its numerical error (mesh, stopping early, another "
-      "equilibrium). Nine of ten scenes that were closed on finer meshes, too, were nearer. Coarse "
-      "meshes read too little rather than too much. A mean over the region of interest has the "
-      "same error of the mesh; closed again from another starting state it differs by about 0.05 "
-      "mm², with a flail leaflet by 0.2 mm². Smaller differences between plans mean nothing.",
-      "The leak is anatomic: what the closed leaflets leave open. It is not an effective "
-      "regurgitant orifice area (EROA), and does not grade regurgitation.",
-      "The spread covers errors of suture length (1 mm) and papillary position (5 degrees) only. "
-      "Errors of imaging, ring placement and pressure are not included. What is not known of "
-      "tissue and chordae is stated apart, as an interval of the leak as planned.",
+      "The ± of the area of one closure is its numerical error (mesh, stopping criterion, other "
+      "equilibria). In nine of ten test cases the area on finer meshes lay within it. Coarse "
+      "meshes tend to underestimate the leak. A mean over the region of interest has the same mesh "
+      "error; a closure from another starting state changes it by about 0.05 mm², or 0.2 mm² with "
+      "a flail leaflet. Smaller differences between plans are not significant.",
+      "The leak is the anatomic area left open by the closed leaflets. It is not an effective "
+      "regurgitant orifice area (EROA) and does not grade regurgitation.",
+      "The spread covers only errors of suture length (1 mm) and papillary position (5 degrees), "
+      "not errors of imaging, ring placement and pressure. The tissue error is reported "
+      "separately, as an interval of the planned leak.",
       "Nothing here has been validated on patients."};
   return kSentences;
 }
@@ -35,9 +35,9 @@ std::string folded(const std::string& summary, const std::string& content) {
 
 std::string limits_section() {
   return "<section id=\"limits\"><h2>Limits</h2>\n" +
-         folded("What is not modelled, and how accurate the figures are",
-                "<h3>What is not modelled</h3>\n" + list_html(not_modelled()) +
-                    "<h3>Accuracy of the figures</h3>\n" + list_html(how_far())) +
+         folded("Model limitations and accuracy",
+                "<h3>Not modelled</h3>\n" + list_html(not_modelled()) + "<h3>Accuracy</h3>\n" +
+                    list_html(how_far())) +
          "</section>\n";
 }
 
@@ -58,11 +58,11 @@ std::string reproduction_section(const PlanReport& report) {
     html += row("Plan " + std::to_string(plan.rank) + " as a file", to_json(plan.plan).dump());
   }
   html +=
-      "</tbody></table></div>\n<p class=\"small\">The result is the same on any number of threads, "
-      "unless a time limit or a user stopped the search. <code>coapt evaluate VALVE PLAN</code> "
-      "scores a plan file again.</p>\n";
+      "</tbody></table></div>\n<p class=\"small\">The result does not depend on the number of "
+      "threads, unless the search was stopped by a time limit or by the user. <code>coapt evaluate "
+      "VALVE PLAN</code> scores a plan file again.</p>\n";
   if (!report.before.valve.provenance.empty())
-    html += "<h3>Where the valve comes from</h3>\n" + list_html(report.before.valve.provenance);
+    html += "<h3>Source of the valve</h3>\n" + list_html(report.before.valve.provenance);
   return "<section id=\"reproduce\"><h2>How to reproduce</h2>\n" +
          folded("Version, seed, command, options, plan", html) + "</section>\n";
 }

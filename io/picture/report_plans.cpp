@@ -25,12 +25,12 @@ std::string rank_cell(const RankedPlan& plan) {
 
 std::string failed_draws(const RankedPlan& plan) {
   const int failures = plan.model->failures;
-  return failures == 0 ? "" : " (" + std::to_string(failures) + " failed and are left out)";
+  return failures == 0 ? "" : " (" + std::to_string(failures) + " failed and are excluded)";
 }
 
 /// "0.1 to 3.5 mm² (5 to 95 %)".
 std::string tissue_words(const Estimate& leak) {
-  if (!leak.tissue) return "not known";
+  if (!leak.tissue) return "unknown";
   const double half = 0.5 * (leak.tissue->high - leak.tissue->low);
   return known_digits(leak.tissue->low, half) + " to " + known_digits(leak.tissue->high, half) +
          " mm² (5 to 95 %)";
@@ -40,14 +40,14 @@ std::vector<std::string> remarks_on(const RankedPlan& plan) {
   std::vector<std::string> remarks = plan.warnings;
   if (plan.status != ClosureStatus::Converged)
     remarks.push_back(std::string("closure: ") + to_string(plan.status));
-  if (plan.crossing) remarks.push_back("leaflets pass through each other");
+  if (plan.crossing) remarks.push_back("leaflets cross");
   if (plan.fine)
     remarks.push_back(
         "on the finer mesh: leak " +
         with_error(plan.fine->leak_mm2, plan.fine_leak_error_mm2, "mm²") +
         (plan.own_mesh_rank == plan.rank || plan.own_mesh_rank == 0
              ? ""
-             : "; by its own mesh it would rank " + std::to_string(plan.own_mesh_rank)));
+             : "; on the valve's own mesh it ranks " + std::to_string(plan.own_mesh_rank)));
   if (plan.model)
     remarks.push_back("under " + counted(plan.model->draws, "draw") +
                       " of tissue and chordae: leak " + tissue_words(plan.estimates.leak_mm2) +
@@ -152,17 +152,17 @@ std::string trade_offs(const SearchResult& result) {
       std::all_of(result.plans.begin(), result.plans.end(),
                   [](const RankedPlan& plan) { return std::isfinite(plan.region.leak_mm2.mean); });
   const LineChart chart{
-      "What a better closure costs",
+      "Trade-offs between closure and other objectives",
       std::string("Numbers are ranks; lower and further left is better.") +
-          (all ? "" : " Plans whose region is not known are left out."),
+          (all ? "" : " Plans without closures over the region are omitted."),
       {trade(plans, "steps of the operation", &Traded::steps),
        trade(plans, "mean gradient in diastole, mmHg", &Traded::gradient_mmhg),
-       trade(plans, "disease that it does not outlast, mm of 12", &Traded::not_lasted_mm)}};
-  return chart_html(
-      line_chart_svg(chart),
-      "Each point is a plan. Pareto-optimal: no other plan is as good in leak (mean + "
-      "sd), opening and durability, and better in one. Plans that are not ranked are "
-      "from those of which all three are known, closed at fewer points of the region.");
+       trade(plans, "reserve against progression missing to 12 mm", &Traded::not_lasted_mm)}};
+  return chart_html(line_chart_svg(chart),
+                    "Each point is a plan. A plan is Pareto-optimal if no other plan is at least "
+                    "as good in leak (mean + sd), opening and reserve against progression and "
+                    "better in one of them. Unranked plans are shown where all three values exist; "
+                    "they were closed at fewer points of the region.");
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ std::string ranked_section(const PlanReport& report) {
       "class=\"dense\"><thead>"
       "<tr><td class=\"group\" colspan=\"2\"></td><th scope=\"colgroup\" class=\"group\" "
       "colspan=\"2\">As planned</th>"
-      "<th scope=\"colgroup\" class=\"group\" colspan=\"4\">Leak when the repair varies</th>"
+      "<th scope=\"colgroup\" class=\"group\" colspan=\"4\">Leak with errors of execution</th>"
       "<th scope=\"colgroup\" class=\"group\" colspan=\"2\">Margin to leak</th>"
       "<td class=\"group\" colspan=\"4\"></td></tr>"
       "<tr><th scope=\"col\">Rank</th><th scope=\"col\" class=\"words\">Steps</th><th "
@@ -188,19 +188,17 @@ std::string ranked_section(const PlanReport& report) {
       "of<br>the next</th></tr></thead><tbody>\n";
   for (const RankedPlan& plan : result.plans) html += rows_of(plan);
   return html +
-         "</tbody></table></div>\n<p class=\"small\">Leak: the least area through which blood can "
-         "flow "
-         "back, as planned ± numerical error; then over small deviations of suture length and "
-         "papillary position around the plan, where it is estimated; below 5 mm²: the share of "
-         "these "
-         "deviations that leak less. Margin: the smallest deviation that leaks more than 1 mm²; 0 "
-         "if "
-         "the plan itself leaks more; length: of a suture, or without one of the distance from tip "
-         "to trigone. Coaptation: mean height over nine sections. Tension: highest in any chorda. "
-         "Cost: what the search minimises, in mm². Ahead of the next: the probability that it is "
-         "rightly before the next plan; plans of one class cannot be told apart. Acceptable: leaks "
-         "less than 5 mm² with a probability of at least 95 %, over errors of the hand, tissue and "
-         "mesh, and no rule of practice is against it. Pareto: Pareto-optimal among the ranked "
+         "</tbody></table></div>\n<p class=\"small\">Leak: the smallest area through which blood "
+         "can flow back, as planned ± numerical error, then estimated with small errors of suture "
+         "length and papillary position around the plan; below 5 mm²: the fraction of these errors "
+         "with a lower leak. Margin: the smallest error with a leak above 1 mm² (0 if the plan "
+         "itself leaks more); length: of a suture, or without one of the distance from tip to "
+         "trigone. Coaptation: mean height over nine sections. Tension: highest in any chorda. "
+         "Cost: the objective of the search, in mm². Ahead of the next: probability that the plan "
+         "is better than the next one; plans of one class are equivalent. Acceptable: leaks less "
+         "than 5 mm² with a probability of at least 95 %, given the errors of execution, tissue "
+         "and mesh, and complies with all rules of practice. Pareto: Pareto-optimal among the "
+         "ranked "
          "plans "
          "in leak (mean + sd), opening and durability. The leak is anatomic, not an effective "
          "regurgitant orifice area.</p>\n" +

@@ -17,16 +17,15 @@ std::string stop_sentence(SearchStop stop) {
     case SearchStop::EvaluationLimit:
       return "The search used all its closures.";
     case SearchStop::Exhausted:
-      return "No plan was left that was worth trying: its price or its expected cost ruled out "
-             "every other.";
+      return "No plan was left to try; the weight or the expected cost excluded all others.";
     case SearchStop::NoImprovement:
-      return "The search found no better plan within the set number of closures.";
+      return "The search found no better plan within the given number of closures.";
     case SearchStop::TargetReached:
       return "A plan reached the target.";
     case SearchStop::TimeLimit:
       return "The search reached its time limit.";
     case SearchStop::Cancelled:
-      return "The search was cancelled; this is the best so far.";
+      return "The search was cancelled; this is the best plan so far.";
   }
   return "";
 }
@@ -55,7 +54,7 @@ std::string progress_chart(const SearchResult& result) {
   const double most = std::max(kShownAtLeast, kShownTimes * result.progress.back().cost);
   const int end = std::max(result.evaluations, result.progress.back().closures);
   Chart chart{"Score of the best plan so far",
-              "closures spent on searching",
+              "closures of the search",
               "search score (lower is better)",
               {staircase(result.progress, most, end)},
               true};
@@ -67,8 +66,8 @@ std::string progress_chart(const SearchResult& result) {
     }
   if (!random.x.empty()) chart.series.push_back(std::move(random));
   return "<div class=\"narrow\">" +
-         chart_html(chart_svg(chart), "Each plan closed once; lower is better. Costs above " +
-                                          fixed(most, 0) + " are not drawn.") +
+         chart_html(chart_svg(chart), "Each plan is closed once; lower is better. Costs above " +
+                                          fixed(most, 0) + " are not shown.") +
          "</div>\n";
 }
 
@@ -78,17 +77,17 @@ bool is_search(const SearchResult& result) { return result.branches > 0 || resul
 std::string counts(const SearchResult& result) {
   std::string words = grouped(result.closures) + (result.closures == 1 ? " closure" : " closures") +
                       (std::isnan(result.seconds) ? "" : " in " + fixed(result.seconds, 1) + " s") +
-                      ", ranking included; " + grouped(result.closures_not_converged) +
+                      ", including ranking; " + grouped(result.closures_not_converged) +
                       " did not converge, " + grouped(result.closures_crossed) + " crossed";
   if (result.closures_known > 0)
-    words += ", " + grouped(result.closures_known) + " were known from an earlier run";
+    words += ", " + grouped(result.closures_known) + " were reused from an earlier run";
   words += ". ";
   if (is_search(result))
     words += grouped(result.plans_tried) + " plans tried of " + grouped(result.plans_possible) +
              " possible ones in " + grouped(result.branches) +
              (result.branches == 1 ? " branch. " : " branches. ");
   words += is_search(result) ? stop_sentence(result.stop)
-                             : "The plans were given, and scored as a search scores its finalists.";
+                             : "The given plans were scored as a search scores its finalists.";
   return "<p>" + escape_html(words) + "</p>\n";
 }
 
@@ -102,10 +101,10 @@ std::string ladder_table(const std::vector<LadderStep>& ladder) {
                      std::isnan(step.spearman) ? "not measured"
                      : step.skipped            ? "no"
                                                : "yes"});
-  return "<h3>How well few closures predict many</h3>\n" + table_html(cells) +
-         "<p class=\"small\">Spearman's rank correlation of costs; 0 closures: geometry alone. "
-         "Below 0.80 the cheaper figure alone rules out no plan, and more plans go on to more "
-         "closures.</p>\n";
+  return "<h3>Accuracy of screening</h3>\n" + table_html(cells) +
+         "<p class=\"small\">Spearman rank correlation of costs from few and from more closures; 0 "
+         "closures: geometry only. Below 0.80 no plan is discarded on the cheaper cost alone, and "
+         "more plans are closed further.</p>\n";
 }
 
 std::string subset_table(const std::vector<RankedPlan>& plans) {
@@ -116,14 +115,14 @@ std::string subset_table(const std::vector<RankedPlan>& plans) {
     cells.push_back({std::to_string(plan.rank), grouped(plan.subset_nodes),
                      fixed(plan.subset_cost, 1), grouped(plan.region.closures),
                      fixed(plan.cost, 1)});
-  return "<h3>Score on a subset against the full grid</h3>\n" + table_html(cells);
+  return "<h3>Cost on a subset and on the full grid</h3>\n" + table_html(cells);
 }
 
 std::string cut_table(const std::vector<CutBranches>& cut) {
   if (cut.empty()) return "";
-  std::vector<std::vector<std::string>> cells = {{"Left out", "Why"}};
+  std::vector<std::vector<std::string>> cells = {{"Not considered", "Why"}};
   for (const CutBranches& branches : cut) cells.push_back({branches.what, branches.why});
-  return "<h3>What was not tried, and why</h3>\n" + table_html(cells);
+  return "<h3>Techniques not considered</h3>\n" + table_html(cells);
 }
 
 }  // namespace

@@ -153,12 +153,12 @@ StepWords words(const Operated& operated, const EdgeToEdge& step, std::size_t) {
               mm(step.width_mm) + " wide, from " +
               place_words(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
               place_words(valve, {Leaflet::Posterior, step.along, 1.0}),
-          "Two openings are left in diastole; their area is not computed."};
+          "Two orifices remain in diastole; their area is not computed."};
 }
 
 StepWords words(const Operated& operated, const LeafletResection& step, std::size_t) {
   const std::string middle = place_words(operated.before.valve, {step.leaflet, step.along, 1.0});
-  const char* chordae = "Chordae of the tissue that is cut out are cut.";
+  const char* chordae = "Chordae of the resected tissue are cut.";
   if (step.shape == ResectionShape::Triangular)
     return {"Triangular resection at " + middle + ", " + mm(step.width_mm) +
                 " wide at the free edge, " + percent(step.height) + " of the way to the annulus",
@@ -234,7 +234,7 @@ std::vector<StepWords> surgical_words(const ClosedValve& before, const RankedPla
   std::vector<StepWords> told;
   if (plan.plan.steps.empty()) {
     for (const std::string& line : plan.description) told.push_back({capitalised(line), ""});
-    if (told.empty()) told.push_back({"No repair", "The valve as it is."});
+    if (told.empty()) told.push_back({"No repair", "The unrepaired valve."});
     return told;
   }
   const Operated operated{before, plan, apply_plan(before.valve, plan.plan)};
@@ -260,7 +260,7 @@ std::string valve_words(const ClosedValve& before) {
   std::vector<std::string> ruptured;
   for (const Chorda& chorda : before.valve.chordae)
     if (chorda.ruptured) ruptured.push_back(chorda.id);
-  std::string told = "Before repair it leaks through " +
+  std::string told = "Before repair the valve leaks through " +
                      with_error(measure.leak.area_mm2, measure.leak_error_mm2, "mm²");
   for (std::size_t i = 0; i < openings.size() && i < kOpeningsTold; ++i)
     told += (i == 0 ? " (" : ", ") + known_digits(openings[i].area_mm2, measure.leak_error_mm2) +

@@ -50,7 +50,7 @@ RingTable burden_table(const RingDesignResult& result) {
                                     fixed(f.suture_normal_n, 2)};
   };
   return {{"Ring", "mean size, mm", "gradient, mmHg", "above 5 mmHg, %", "above 4 sizes, %",
-           "disease until 5 mm², mm", "largest pull at a suture, N", "of it out of plane, N"},
+           "reserve against progression, mm", "largest suture force, N", "of it out of plane, N"},
           row("design", all.design),
           row("generic", all.generic)};
 }
@@ -83,8 +83,8 @@ std::string asked_of(const std::string& aetiology, int members) {
 }
 
 RingTable contrast_table(const RingClaims& claims) {
-  RingTable table = {{"Question", "asked of", "below 5 mm², points", "leak, mm²",
-                      "largest pull at a suture, N", "out of plane, N"}};
+  RingTable table = {{"Question", "evaluated on", "below 5 mm², points", "leak, mm²",
+                      "largest suture force, N", "out of plane, N"}};
   for (const RingContrast& c : claims.contrasts)
     table.push_back({c.second + " less " + c.first, asked_of(c.aetiology, c.members),
                      gain_words(c.below_percent, 1), gain_words(c.leak_mm2, 2),
@@ -133,24 +133,25 @@ std::string ring_dimensions_csv(const RingTerms& terms) {
 std::string ring_page_html(const RingDesignResult& result, const std::string& made_for) {
   const RingDesign& design = result.search.design;
   const RingVerdict& all = result.verdicts.front();
-  const std::string lead = "Made for " + made_for + ": " +
-                           counted(result.searched_members, "member") + " searched on, " +
-                           counted(result.held_out_members, "member") +
-                           " held out. Against the best generic shape (" +
-                           candidate_words(result.search.generic.candidate) + ") it gains " +
-                           gain_words(all.below_percent, 1) +
-                           " points of the share of closures that leak less than 5 mm².";
+  const std::string lead =
+      "Made for " + made_for + ": " + counted(result.searched_members, "member") +
+      " searched on, " + counted(result.held_out_members, "member") +
+      " held out. Against the best generic shape (" +
+      candidate_words(result.search.generic.candidate) + ") it gains " +
+      gain_words(all.below_percent, 1) +
+      " percentage points in the fraction of closures that leak less than 5 mm².";
   const RingClaims& claims = result.claims;
   const std::vector<PageSection> sections = {
       {"Shape",
-       "Beside the generic shapes, all 30 mm wide. Its size is the one nearest to " +
-           fixed(design.width_over_transverse, 2) + " of the annulus's transverse diameter.",
+       "Compared with the generic shapes, all 30 mm wide. The sizing rule selects the size closest "
+       "to " +
+           fixed(design.width_over_transverse, 2) + " of the transverse diameter of the annulus.",
        ring_picture_svg(beside_generic(design.shape, kDrawnSize_mm)), terms_table(design)},
       {"Held-out members",
-       "Neither these members nor these disturbances were seen by the search. Gains: design less "
-       "generic, positive is better; 95 % intervals by the bootstrap.",
+       "The search used neither these members nor these disturbances. Gains: design minus generic, "
+       "positive is better; 95 % bootstrap intervals.",
        "", verdict_table(result)},
-      {"What it costs", "Means over the held-out members.", "", burden_table(result)},
+      {"Side effects", "Means over the held-out members.", "", burden_table(result)},
       {"Saddle and asymmetry",
        "Rings of the same size in the same valves. Saddle-shaped rings are generally preferred to "
        "flat ones, for less stress and better coaptation (Jedrzejczyk 2021, Front Cardiovasc Med "
@@ -159,12 +160,12 @@ std::string ring_page_html(const RingDesignResult& result, const std::string& ma
        "ischaemic regurgitation by Wong 2012 (PMC3432639).",
        "", contrast_table(claims)},
       {"Sizes",
-       "Asked of " + asked_of(claims.sizes_aetiology, claims.sizes_members) +
+       "Evaluated on " + asked_of(claims.sizes_aetiology, claims.sizes_members) +
            "; tenting without a ring: " + fixed(claims.tenting_before_mm, 1) +
-           " mm. Gaidulis and Padala 2023 (PMC10826925), seven sizes in three pigs: rings above 32 "
-           "mm did not close the valve, smaller ones did, and tethering stayed.",
+           " mm. Gaidulis and Padala 2023 (PMC10826925) tested seven sizes in three pigs: rings "
+           "above 32 mm did not close the valve, smaller ones did, and tethering persisted.",
        "", size_table(claims)},
-      {"Dimensions", "Of the contour, along which the core's middle runs.", "",
+      {"Dimensions", "Dimensions of the contour along which the centre line of the core runs.", "",
        dimensions_table(design.shape.terms)}};
   return study_page("Designed ring " + design.shape.name, lead, sections);
 }

@@ -95,15 +95,15 @@ std::string annulus_svg(const AnnulusStudy& study, bool with_thesis) {
   LineChart chart;
   chart.title = "Orifice of a dilated and flattened annulus";
   chart.note =
-      "Thesis, figure 4.5. Trigones, papillary tips and transverse diameter are held. Right: "
-      "orifice of the flattened annulus in percent of the unflattened one at the same dilation, "
-      "from 5 mm² upwards.";
+      "Thesis, figure 4.5. Trigones, papillary tips and transverse diameter are fixed. Right: "
+      "orifice with the flattened annulus in percent of that with the unflattened annulus at the "
+      "same dilation, from 5 mm² upwards.";
   chart.columns = 2;
   chart.panel_height = 380.0;
   LinePanel areas{{"Orifice", "anteroposterior dilation, %", "orifice, mm²"}, {}};
-  LinePanel shares{
-      {"Against the unflattened annulus", "anteroposterior dilation, %", "share of the orifice, %"},
-      {}};
+  LinePanel shares{{"Relative to the unflattened annulus", "anteroposterior dilation, %",
+                    "share of the orifice, %"},
+                   {}};
   for (std::size_t h = 0; h < std::min(study.height_percent.size(), study.area_mm2.size()); ++h) {
     PanelSeries series{"height " + fixed(study.height_percent[h], 0) + " %", study.dilation_percent,
                        study.area_mm2[h], hue(kHues, h)};
@@ -126,11 +126,11 @@ std::string annulus_svg(const AnnulusStudy& study, bool with_thesis) {
 
 std::string anchors_histogram_svg(const ApproximationStudy& study) {
   HistogramChart chart;
-  chart.title = "Where the papillary suture is anchored";
+  chart.title = "Anchors of the papillary suture";
   chart.note = std::string("Thesis, figure 4.10; protocol ") + to_string(study.protocol) +
-               ". Each entry is one displaced configuration after its repair: mean (above) and sd "
+               ". Each entry is one displaced configuration after repair: mean (above) and sd "
                "(below) of the orifice over its region of interest. Dashed line and text: mean ± "
-               "sd of the entries; beyond: past the last bin.";
+               "sd of the entries; beyond: outside the last bin.";
   chart.panel_height = 290.0;
   const auto add_row = [&](double RegionOrifice::*measure, const char* words) {
     for (const Displaced displaced : kDisplaced) {
@@ -156,8 +156,10 @@ std::string anchor_scan_svg(const std::vector<AnchorSummary>& scan,
   chart.title = "Anchors around the annulus";
   chart.note =
       "Mean over all displaced configurations of the region's mean orifice (above) and sd (below). "
-      "Position: share of the annulus from the posteromedial commissure (0) over the saddle peak "
-      "(0.25) to the anterolateral commissure (0.5) and on; mirrored for the anterolateral muscle.";
+      "Position: fraction of the annulus from the posteromedial commissure (0) over the saddle "
+      "peak "
+      "(0.25) to the anterolateral commissure (0.5) and onwards; mirrored for the anterolateral "
+      "muscle.";
   chart.panel_height = 280.0;
   const auto add_row = [&](Measure measure, const char* words) {
     for (const Displaced displaced : kDisplaced) {

@@ -65,7 +65,7 @@ std::string findings_table(const std::vector<Finding>& findings) {
   if (findings.empty()) return "";
   std::string html =
       "<section><h2>Findings</h2>\n<div class=\"scroll\"><table class=\"findings\">"
-      "<thead><tr><th>Finding, and the criterion for this valve</th><th>Section</th><th>Thesis</th>"
+      "<thead><tr><th>Finding and criterion for this valve</th><th>Section</th><th>Thesis</th>"
       "<th>This valve</th><th>Verdict</th></tr></thead>\n<tbody>";
   for (const Finding& finding : findings) html += finding_row(finding);
   return html + "</tbody></table></div></section>\n";
@@ -91,7 +91,7 @@ std::string findings_page(const std::string& valve_name, const std::vector<Findi
   for (const PageSection& figure : figures) content += section_html(figure);
   if (!closures.empty()) content += section_html({"Closures", closures, "", {}});
   return page("Ischaemic mitral regurgitation: " + valve_name,
-              "Chapter 4 of the thesis, repeated on this valve.", content);
+              "Studies of chapter 4 of the thesis, repeated on this valve.", content);
 }
 
 }  // namespace coapt

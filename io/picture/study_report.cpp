@@ -19,11 +19,11 @@ namespace coapt {
 namespace {
 
 PageSection annulus_figure(const AnnulusStudy& study) {
-  return {
-      "Annular dilation and flattening (figure 4.5)",
-      "Trigones, papillary tips and transverse diameter held. Open circles: the thesis's numbers.",
-      annulus_svg(study, true),
-      {}};
+  return {"Annular dilation and flattening (figure 4.5)",
+          "Trigones, papillary tips and transverse diameter are fixed. Open circles: values of the "
+          "thesis.",
+          annulus_svg(study, true),
+          {}};
 }
 
 PageSection papillary_table(const PapillaryStudy& study) {
@@ -38,7 +38,7 @@ PageSection papillary_table(const PapillaryStudy& study) {
 
 PageSection ring_table(const RingStudy& study) {
   PageSection section{"Largest ratio to the properly sized annulus (table 4.2), percent",
-                      "Over displacements that leak 1 mm2 or more under the proper size.",
+                      "Over displacements that leak 1 mm2 or more with the properly sized annulus.",
                       "",
                       {{"class", "U1", "U2", "U3"}}};
   for (const Displaced displaced : kDisplaced) {
@@ -107,7 +107,7 @@ void add_to_report(StudyReport& report, const AnchorStudies& studies) {
   for (const ApproximationStudy& study : studies.approximation) {
     const std::string name = std::string("anchors-") + to_string(study.protocol) + ".svg";
     report.files.emplace_back(name, anchors_histogram_svg(study));
-    report.figures.push_back({std::string("Trigone against saddle peak (figure 4.10), protocol ") +
+    report.figures.push_back({std::string("Trigone versus saddle peak (figure 4.10), protocol ") +
                                   to_string(study.protocol),
                               "",
                               anchors_histogram_svg(study),
@@ -174,15 +174,15 @@ StudyReport study_all(OrificeTable& table, const ThesisStudyOptions& options) {
 /// Empty if none was closed again.
 std::string start_words(const Json& starts) {
   if (starts["closures"] == 0) return "";
-  return " Closed again from the open state, " + std::to_string(starts["elsewhere"].get<int>()) +
+  return " Repeated from the open state, " + std::to_string(starts["elsewhere"].get<int>()) +
          " of " + std::to_string(starts["closures"].get<int>()) +
-         " end elsewhere; orifices differ by " +
-         fixed(starts["leak_difference_max_mm2"].get<double>(), 2) + " mm2 at most.";
+         " closures settle in a different shape; orifices differ by at most " +
+         fixed(starts["leak_difference_max_mm2"].get<double>(), 2) + " mm2.";
 }
 
 std::string trust_words(const Json& study) {
   return std::to_string(study["untrusted"].get<int>()) +
-         " not trusted (not converged, or crossed)." + start_words(study["cold_starts"]);
+         " unreliable (not converged, or crossed)." + start_words(study["cold_starts"]);
 }
 
 }  // namespace
@@ -228,7 +228,7 @@ StudyReport run_study(StudyKind kind, OrificeTable& table, const ThesisStudyOpti
 std::string study_timing(const Json& study) {
   return std::to_string(study["configurations"].get<int>()) + " configurations; " +
          std::to_string(study["closures"].get<int>() - study["closures_known"].get<int>()) +
-         " closed now, in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
+         " newly closed in " + fixed(study["seconds"].get<double>(), 1) + " s; " +
          trust_words(study) + " The thesis: " + std::to_string(thesis::kConfigurations) +
          " in about " + fixed(thesis::kHours, 0) + " hours.";
 }

@@ -25,11 +25,11 @@ int decimals_of(double error) {
 const char* error_words(ErrorCause cause) {
   switch (cause) {
     case ErrorCause::Numerical:
-      return "the computation's error";
+      return "numerical error";
     case ErrorCause::Tissue:
-      return "what is not known of the tissue";
+      return "tissue error";
     case ErrorCause::Execution:
-      return "errors of the hand";
+      return "errors of execution";
   }
   return "";
 }
@@ -68,7 +68,7 @@ EstimateWords words_of(const Estimate& estimate) {
     return {with_error(estimate.value, wide.high - estimate.value), "", "± numerical error"};
   return {known_digits(estimate.value, half),
           known_digits(wide.low, half) + " to " + known_digits(wide.high, half),
-          "by " + std::string(error_words(*cause)) + " (5 to 95 %)"};
+          "with " + std::string(error_words(*cause)) + " (5 to 95 %)"};
 }
 
 std::string grouped(std::int64_t count) {

@@ -24,7 +24,7 @@ std::string known_digits(double value, double error);
 /// To a tenth, or to fewer digits where the error leaves no more; without one to a tenth.
 std::string known_tenths(double value, double error);
 
-/// What is said of an estimate by the widest part of its error that is known: "46", "16 to 78" and "by what is not known of the tissue
+/// What is said of an estimate by the widest part of its error that is known: "46", "16 to 78" and "with tissue error
 /// (5 to 95 %)"; of the computation's error "45.7 ± 2.1", no interval and "± numerical error".
 struct EstimateWords {
   std::string value, interval, cause;

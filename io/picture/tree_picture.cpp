@@ -41,7 +41,7 @@ class TreeDrawing {
     for (const TreeLeaf& leaf : tree_.leaves)
       if (leaf.node == node)
         svg_ += text_at(kRepair_px, y_ + 15.0, "class=\"tick\"",
-                        counted(leaf.members, "held-out valve") + ", leak left " +
+                        counted(leaf.members, "held-out valve") + ", residual leak " +
                             fixed(leaf.leak_mm2.mean, 1) + " mm² (" + fixed(leaf.leak_mm2.low, 1) +
                             " to " + fixed(leaf.leak_mm2.high, 1) + "), costs " +
                             fixed(leaf.regret.mean, 1) + " more than the best");
@@ -59,12 +59,12 @@ class TreeDrawing {
 }  // namespace
 
 std::string tree_svg(const PopulationTree& tree) {
-  const std::string title = "Which repair for which valve";
+  const std::string title = "Decision tree for the repair";
   const Drawn heading = draw_heading({title,
-                                      "Grown on " + std::to_string(tree.grown_on) +
+                                      "Trained on " + std::to_string(tree.grown_on) +
                                           " valves, pruned on " + std::to_string(tree.pruned_on) +
-                                          ", judged on " + std::to_string(tree.judged_on) +
-                                          " others. In brackets: 95 % interval of the mean.",
+                                          ", tested on " + std::to_string(tree.judged_on) +
+                                          " others. Brackets: 95 % interval of the mean.",
                                       {}});
   TreeDrawing drawing(tree, heading.bottom + 20.0);
   if (tree.tree.nodes.front().feature < 0)

@@ -18,7 +18,7 @@ void draw_scale_bar(const Canvas& canvas, const ViewFrame& frame) {
 
 void draw_unknown(const Canvas& canvas, const ViewFrame& frame) {
   draw_text(canvas, {frame.box.x + 0.5 * frame.box.width, frame.box.y + 0.5 * frame.box.height},
-            "The closure diverged: there is nothing to draw.",
+            "The closure diverged, so there is nothing to draw.",
             {16.0, palette::kWarning, Align::Centre}, frame.box.width);
 }
 

@@ -135,8 +135,8 @@ class Closures(ClientTest):
         valve = small_valve()
         page = self.client.report(valve, [Plan(Ring("generic-classic", size_mm=30))], region_points=2)
         self.assertIn("How the plans were scored", page)
-        self.assertNotIn("Under further remodelling", page)
-        self.assertIn("Under further remodelling", self.client.report(valve, [Plan(OwnRing(1))], evidence=True))
+        self.assertNotIn("With further remodelling", page)
+        self.assertIn("With further remodelling", self.client.report(valve, [Plan(OwnRing(1))], evidence=True))
         self.assertEqual(
             self.problems(coapt.InvalidRequest, self.client.report, valve, 11 * [Plan(OwnRing(1))]),
             [("/plans", "out_of_range")],

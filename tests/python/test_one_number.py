@@ -108,7 +108,7 @@ class OneNumber(EngineTest):
         self.assert_printed(leak, self.words, before="Before: leak")
         low, high = before["leak"]["tissue"]
         for text, words in (
-            (self.words, rf"; ({NUMBER}) to ({NUMBER}) mm2 by what is not known of the tissue"),
+            (self.words, rf"; ({NUMBER}) to ({NUMBER}) mm2 with tissue error"),
             (self.report, rf"before {NUMBER} \(({NUMBER}) to ({NUMBER})\)"),
         ):
             found = re.search(words, text)
@@ -159,7 +159,7 @@ class OneNumber(EngineTest):
             self.assert_printed(height, self.closed_words, before=f"(?:height|,) {name}")
         of_rule = plan["estimates"]["coaptation_a2_p2_mm"]["value"]
         finding = next(gate["finding"] for gate in plan["gates"] if gate["rule"] == "coaptation_height")
-        self.assert_printed(of_rule, finding, self.words, self.report, before="coaptation of A2 with P2 is")
+        self.assert_printed(of_rule, finding, self.words, self.report, before="coaptation height of A2 with P2 is")
         sections = plan["measure"]["coaptation"]["sections"]
         self.assertAlmostEqual(of_rule, sum(section["height_mm"] for section in sections[3:6]) / 3, places=9)
 

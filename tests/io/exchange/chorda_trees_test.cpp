@@ -90,7 +90,7 @@ TEST(ChordaTrees, WhatIsNoTreeIsNamedByFileAndPlace) {
   EXPECT_TRUE(says("loop of lines"));
   EXPECT_TRUE(says("2 others end"));
   EXPECT_TRUE(says("shorter than"));
-  EXPECT_TRUE(says("whose side is not known"));
+  EXPECT_TRUE(says("of unknown side"));
 }
 
 }  // namespace

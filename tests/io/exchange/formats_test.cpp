@@ -29,7 +29,7 @@ TEST(Formats, EachIsWrittenOfTheClosedValveAndOfTheOpenOneButMeasurements) {
 
 TEST(Formats, WhatIsNotToBeTrustedSaysSoInEachOfThem) {
   ClosedValve exported = still_valve();
-  const std::string doubt = "NOT TO BE TRUSTED: not at rest, leaflets cross";
+  const std::string doubt = "UNRELIABLE: not converged, leaflets cross";
   const auto says_it = [&](const FileFormat& format, const ExportOptions& options) {
     const Expected<std::string> bytes = write_valve_file(exported, format, options);
     return bytes && bytes->find(doubt) != std::string::npos;

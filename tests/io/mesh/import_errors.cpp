@@ -31,7 +31,7 @@ TEST(ImportErrors, UnitsMayNotBeMixed) {
   EXPECT_EQ(problem(annulus).path, "/leaflets/0/vertices_mm");
   const Error error = problem(leaflets);
   EXPECT_EQ(error.path, "/leaflets/0/vertices_mm");
-  EXPECT_NE(error.message.find("units mixed"), std::string::npos) << error.message;
+  EXPECT_NE(error.message.find("mixed units"), std::string::npos) << error.message;
   ImportSource chordae = cone_source();
   for (ImportedChorda& chorda : chordae.chordae) {
     chorda.tip_mm *= 0.001;

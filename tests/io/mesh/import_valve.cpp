@@ -223,7 +223,7 @@ TEST(ImportValve, ChangesAreToldAfterTheSources) {
   };
   EXPECT_TRUE(told("frame: moved by"));
   EXPECT_TRUE(told("60 stations"));
-  EXPECT_TRUE(told("stations without sheet interpolated"));
+  EXPECT_TRUE(told("stations without a sheet interpolated"));
   EXPECT_TRUE(told("2 marginal"));
 }
 

@@ -165,7 +165,7 @@ test('a label map dropped on the page becomes a valve, and that a search', async
     'label 1 is the anterior leaflet',
     'replaced by its mid-surface',
     'imaged open',
-    'not seen; drawn',
+    'not imaged; synthesised',
   ])
     assert.ok(decisions.includes(words), words)
   assert.deepEqual(await accessProblems(page), [])
@@ -194,7 +194,7 @@ test('labels with the names of each other are refused, then trusted, then mended
   await panel.getByLabel('Name').fill('named the other way round')
   await panel.getByRole('button', { name: 'Import', exact: true }).click()
   const problem = panel.locator('[data-part=problems] li')
-  assert.match(await problem.textContent(), /looks like the posterior one: .*--label anterior=1 --label posterior=2/)
+  assert.match(await problem.textContent(), /has the shape of the posterior one: .*--label anterior=1 --label posterior=2/)
 
   await panel.getByText('Correct what is judged').click()
   await panel.getByLabel('Labels and order are right').check()
@@ -204,19 +204,19 @@ test('labels with the names of each other are refused, then trusted, then mended
   await first.waitFor()
   assert.equal(await first.inputValue(), 'posterior')
   const leaflets = result.locator('dd[data-subject=leaflets]')
-  assert.match(await leaflets.textContent(), /label 2 is the anterior leaflet.*against what they look like/)
+  assert.match(await leaflets.textContent(), /label 2 is the anterior leaflet.*contrary to their shape/)
   await picture(result, 'labels-before')
 
   await first.selectOption('anterior')
   await leaflets.filter({ hasText: 'label 1 is the anterior leaflet' }).waitFor()
   assert.equal(await result.getByLabel('What label 2 is').inputValue(), 'posterior')
-  assert.doesNotMatch(await leaflets.textContent(), /against/)
+  assert.doesNotMatch(await leaflets.textContent(), /contrary/)
   await picture(result, 'labels-after')
   assert.deepEqual(await accessProblems(page), [])
 
   await result.getByRole('button', { name: 'The atrium is on the other side' }).click()
   const atrium = result.locator('dd[data-subject=atrium]')
-  await atrium.filter({ hasText: 'on the other side than it looks, as given' }).waitFor()
+  await atrium.filter({ hasText: 'opposite to the side suggested by the shape, as given' }).waitFor()
   await result.getByRole('button', { name: 'Back to the side that it looks' }).click()
   await result.getByRole('button', { name: 'The atrium is on the other side' }).waitFor()
 })

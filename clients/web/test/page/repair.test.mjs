@@ -158,7 +158,7 @@ test('accepted plans are kept, scored, saved and loaded', async () => {
   assert.equal(report.suggestedFilename(), 'plan 1.html')
   await report.saveAs(join(service.folder, 'report.html'))
   const content = readFileSync(join(service.folder, 'report.html'), 'utf8')
-  for (const words of [/How the plans were scored/, /Under further remodelling/]) assert.match(content, words)
+  for (const words of [/How the plans were scored/, /With further remodelling/]) assert.match(content, words)
   const [saved] = await Promise.all([
     page.waitForEvent('download'),
     page.getByRole('button', { name: 'Save plans' }).click(),
