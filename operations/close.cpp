@@ -87,20 +87,20 @@ Errors contradictions(const CloseRequest& asked) {
   ProblemList problems;
   if (asked.accuracy_mm2 && asked.converge)
     problems.add(ErrorCode::Unsupported, "/converge",
-                 "refines the mesh as accuracy_mm2 does: leave one of them out");
+                 "refines the mesh, as does accuracy_mm2; leave one of them out");
   if (asked.certainty != Certainty::Quick && (asked.accuracy_mm2 || asked.converge))
     problems.add(ErrorCode::Unsupported, "/certainty",
-                 "refines the mesh as accuracy_mm2 and converge do: leave the others out");
+                 "refines the mesh, as do accuracy_mm2 and converge; leave the others out");
   if (asked.accuracy_mm2 && asked.closure.method != Method::Fast)
     problems.add(ErrorCode::Unsupported, "/accuracy_mm2",
-                 "is known for method fast only; leave out method thesis");
+                 "is available only for method fast; leave out method thesis");
   if (is_mitral(asked.repair.valve)) return std::move(problems).take();
   for (const auto& [given, name] : {std::pair(asked.accuracy_mm2.has_value(), "/accuracy_mm2"),
                                     {asked.open, "/open"},
                                     {asked.draws > 0, "/draws"}})
     if (given)
       problems.add(ErrorCode::Unsupported, name,
-                   "needs a mitral valve (coapt.valve/1); this is coapt.valve/2");
+                   "requires a mitral valve (coapt.valve/1); this is coapt.valve/2");
   return std::move(problems).take();
 }
 

@@ -26,7 +26,7 @@ Errors check_size(const Valve& valve, const OperationLimits& limits) {
     if (count <= most) return;
     errors.push_back({ErrorCode::OutOfRange, path,
                       "has " + std::to_string(count) + ' ' + what +
-                          ", this service takes at most " + std::to_string(most)});
+                          ", but this service accepts at most " + std::to_string(most)});
   };
   check("/vertices_mm", valve.rest_mm.rows(), limits.vertices, "vertices");
   check("/chordae", std::ssize(valve.chordae), limits.chordae, "chordae");
@@ -62,13 +62,13 @@ Error Context::refusal() const {
   if (cancelled())
     return {ErrorCode::Busy, "",
             "took longer than " + shown(limits.seconds) +
-                " s: ask for fewer plans or region_points at once, search as a job "
-                "(POST /v1/plans), or close, study or import the valve offline "
-                "(coapt close, coapt study, coapt valve import)"};
+                " s; request fewer plans or region_points, run a search as a job (POST /v1/plans), "
+                "or close, study or import the valve offline (coapt close, coapt study, coapt "
+                "valve import)"};
   return {ErrorCode::OutOfRange, "",
           "the closure takes more than " + shown(limits.vertex_steps) +
-              " steps times vertices, the limit of this service: use a coarser mesh or "
-              "softer chordae, or close the valve offline (coapt close)"};
+              " steps times vertices, the limit of this service; use a coarser mesh or softer "
+              "chordae, or close the valve offline (coapt close)"};
 }
 
 }  // namespace coapt

@@ -20,9 +20,9 @@ Expected<OperationAnswer> diagnosed(const RepairRequest& asked, Context& context
       closed->valve, closed->closure, closed->measure,
       opened ? opened->measure.opening_area_mm2 : std::numeric_limits<double>::quiet_NaN());
   if (!diagnosis)
-    return Error{ErrorCode::BadGeometry, "",
-                 "the valve does not close, so that nothing can be diagnosed: " +
-                     doubt_about(closed->closure)};
+    return Error{
+        ErrorCode::BadGeometry, "",
+        "the closure failed, so the valve cannot be diagnosed: " + doubt_about(closed->closure)};
   return OperationAnswer(diagnosis_document(*diagnosis, closed->valve));
 }
 

@@ -10,7 +10,7 @@ namespace {
 using namespace door;
 
 constexpr std::array kPlanOperations = {
-    Operation{"evaluate", "evaluate", "/v1/evaluations", "Scores and ranks plans of one's own.",
+    Operation{"evaluate", "evaluate", "/v1/evaluations", "Scores and ranks given plans.",
               kEverywhere, read_evaluate},
     // A service searches as a job, whose closures outlive it.
     Operation{"plan", "plan", "/v1/plans", "Searches for repair plans and ranks them.",

@@ -15,8 +15,8 @@ std::function<void(const JsonPlace&)> valve_field(const Context& context, Valve&
     if (!valve) return add_below(place.problems, pointer(place), valve.errors());
     if (accepted == AcceptedValve::Mitral && !is_mitral(*valve))
       return place.problems.add(ErrorCode::Unsupported, pointer(place) + "/schema",
-                                "is \"coapt.valve/2\", which can be closed and checked; here it "
-                                "must be \"coapt.valve/1\", a mitral valve");
+                                "is \"coapt.valve/2\", which can only be closed and checked; must "
+                                "be \"coapt.valve/1\", a mitral valve");
     add_below(place.problems, pointer(place), check_size(*valve, context.limits));
     target = *std::move(valve);
   };

@@ -100,7 +100,7 @@ Expected<std::string> read_token(const std::string& path) {
     const mode_t others =
         S_IRWXO | S_IWGRP | S_IXGRP | (group_is_root ? mode_t{0} : mode_t{S_IRGRP});
     if ((status.st_mode & others) != 0) {
-      token = unfit(path, ErrorCode::InputOutput, "others may read or change it; chmod 600");
+      token = unfit(path, ErrorCode::InputOutput, "is accessible to other users; run chmod 600");
     } else if (status.st_uid != geteuid() && status.st_uid != 0) {
       token = unfit(path, ErrorCode::InputOutput, "belongs to another user");
     } else {
@@ -128,12 +128,12 @@ std::optional<Answer> refuse(const Access& access, const Request& request) {
   const std::string host = header(request, "host");
   if (access.token.empty() && !is_this_server(access, host)) {
     return problem(421, ErrorCode::Unsupported,
-                   "Host is not a name of this server; see --allow-host");
+                   "the Host header does not name this server; see --allow-host");
   }
   // Whatever watches the service needs no token to ask whether it is well.
   const bool is_open = is_page_path(request.path) || request.path == "/healthz/ready";
   if (!access.token.empty() && !is_open && !has_token(access.token, request)) {
-    Answer answer = problem(401, ErrorCode::MissingField, "a bearer token is needed");
+    Answer answer = problem(401, ErrorCode::MissingField, "a bearer token is required");
     answer.headers.emplace_back("WWW-Authenticate", "Bearer");
     return answer;
   }

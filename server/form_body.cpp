@@ -39,7 +39,7 @@ std::optional<std::string> parameter(std::string_view header, const std::string&
   return {};
 }
 
-const Error kNotWhole = {ErrorCode::InvalidJson, "", "the form is not whole"};
+const Error kNotWhole = {ErrorCode::InvalidJson, "", "the form is incomplete"};
 
 /// Puts a part where it belongs.
 Errors take_part(std::string_view headers, std::string_view content, Json& document) {
@@ -67,7 +67,7 @@ Errors take_part(std::string_view headers, std::string_view content, Json& docum
     target = &document[name->substr(0, dot)];
     if (target->is_null()) *target = Json::object();
     if (!target->is_object())
-      return {Error{ErrorCode::BadReference, "", "two parts of the form have one name"}};
+      return {Error{ErrorCode::BadReference, "", "two parts of the form have the same name"}};
     name->erase(0, dot + 1);
   }
   if (is_list && !value.is_array()) {
@@ -75,7 +75,7 @@ Errors take_part(std::string_view headers, std::string_view content, Json& docum
     return {};
   }
   if (target->contains(*name))
-    return {Error{ErrorCode::BadReference, "", "two parts of the form have one name"}};
+    return {Error{ErrorCode::BadReference, "", "two parts of the form have the same name"}};
   (*target)[*name] = std::move(value);
   return {};
 }

@@ -87,7 +87,7 @@ class OneRequest : httplib::Server {
     // What the library refuses by itself, such as a method it does not know, has no body.
     set_error_handler(httplib::Server::HandlerWithResponse([this](const auto&, auto& response) {
       if (!response.body.empty()) return Handling::Unhandled;
-      respond(problem(response.status, ErrorCode::Unsupported, "this request cannot be taken"),
+      respond(problem(response.status, ErrorCode::Unsupported, "this request is not accepted"),
               response);
       return Handling::Handled;
     }));

@@ -62,7 +62,7 @@ std::size_t most_values(const ServiceLimits& limits) {
 std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
                                 const std::function<Errors(const Json&)>& read) {
   const Compute::Turn turn(source.parsing);
-  if (!turn) return retry_later(503, "too many requests are read at once");
+  if (!turn) return retry_later(503, "too many requests are being read");
   const MayRunOut hungry;
   const Document request{parse_json(body, most_values(source.limits))};
   if (!request.json) return problem(400, request.json.errors());

@@ -71,7 +71,7 @@ class Stopper {
       std::unique_lock<std::mutex> lock(mutex_);
       if (ended_.wait_for(lock, kPatience, [this] { return is_over_; })) return;
       std::cerr
-          << "coapt-server: a closure did not end in time; its job resumes at the next start\n";
+          << "coapt-server: a closure did not finish in time; its job resumes at the next start\n";
       board.suspend_all();
       _exit(kOk);
     });
@@ -101,11 +101,11 @@ void print_address(const std::string& host, int port, const std::string& made_to
   const std::string address = "http://" + host + ':' + std::to_string(port);
   std::ostringstream lines;
   if (!made_token.empty())
-    lines << "coapt-server: other accounts may log in to this machine, so requests need a token "
-             "(--no-token: none)\n"
+    lines << "coapt-server: requests require a token, because other accounts may log in to this "
+             "machine (--no-token disables it)\n"
              "coapt-server: the page is at "
           << address << "/#token=" << made_token
-          << "\ncoapt-server: programs need COAPT_TOKEN=" << made_token << '\n';
+          << "\ncoapt-server: for programs, set COAPT_TOKEN=" << made_token << '\n';
   std::cerr << lines.str() << "coapt-server: listening on " << address << '\n';
 }
 
@@ -187,8 +187,8 @@ int run(int argc, char** argv) {
   ServerOptions options;
   add_options(app, options);
   app.footer(
-      "The page is at /, the API is described at /openapi.json. Jobs outlive the server: started "
-      "again\nwith the same --db, it resumes them. SIGTERM and Ctrl-C end it within 10 s.\n\n"
+      "The web page is at /, the API description at /openapi.json. Jobs survive a restart of the "
+      "server\nwith the same --db. SIGTERM and Ctrl-C stop the server within 10 s.\n\n"
       "Examples:\n"
       "  export COAPT_TOKEN=$(coapt-server --db coapt.sqlite --print-token)\n"
       "  coapt-server --db coapt.sqlite &\n"
@@ -211,7 +211,7 @@ int run(int argc, char** argv) {
   } else if (!is_loopback(options.host)) {
     return fail(kBadInput, {Error{ErrorCode::MissingField, "",
                                   "other machines can reach " + options.host +
-                                      ": --token-file must say who may come in"}});
+                                      ", so --token-file is required"}});
   } else if (!options.no_token && !other_login_accounts().empty()) {
     const Expected<std::string> token = kept_token(options.database + "-token");
     if (!token) return fail(kFailure, token.errors());

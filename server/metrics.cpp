@@ -40,9 +40,9 @@ std::string Metrics::text(const Gauges& gauges) const {
   for (const auto& [key, count] : requests_)
     out << "coapt_http_requests_total{" << key.first << ",status=\"" << key.second << "\"} "
         << count << '\n';
-  describe(
-      out, "coapt_http_request_seconds", "histogram",
-      "From the end of a request's headers until its answer is ready; 0 if it had none to read.");
+  describe(out, "coapt_http_request_seconds", "histogram",
+           "Time from the end of a request's headers until its answer is ready; 0 if it had none "
+           "to read.");
   for (const auto& [who, timing] : timings_) {
     for (std::size_t i = 0; i < kBounds_s.size(); ++i)
       out << "coapt_http_request_seconds_bucket{" << who << ",le=\"" << shown(kBounds_s[i])

@@ -84,8 +84,9 @@ Answer GetPage::operator()(const Request& request) const {
   const auto found = page.find(request.path);
   if (found == page.end())
     return problem(404, ErrorCode::BadReference,
-                   page.empty() ? "the page is not built (make web) or not where --web says"
-                                : "the page has no such file");
+                   page.empty()
+                       ? "the page is not built (make web) or not in the folder given by --web"
+                       : "the page has no such file");
   const bool is_asset = request.path.starts_with(kAssets);
   return {200,
           found->second,

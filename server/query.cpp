@@ -27,7 +27,8 @@ void check_query(const Request& request, std::initializer_list<const char*> know
   for (const auto& parameter : request.query) {
     const std::string& name = parameter.first;
     if (std::none_of(known.begin(), known.end(), [&](const char* one) { return name == one; }))
-      problems.add(ErrorCode::UnknownField, "?" + name.substr(0, 64), "is not a parameter here");
+      problems.add(ErrorCode::UnknownField, "?" + name.substr(0, 64),
+                   "is not a parameter of this path");
   }
 }
 

@@ -15,16 +15,16 @@ Answer too_large(std::size_t most_bytes) {
 Answer not_whole(ReadEnd end) {
   switch (end) {
     case ReadEnd::TooSlow:
-      return problem(408, ErrorCode::OutOfRange, "the body has not come in time");
+      return problem(408, ErrorCode::OutOfRange, "the body did not arrive in time");
     case ReadEnd::GivenUp:
-      return problem(503, ErrorCode::Busy, "the server stops");
+      return problem(503, ErrorCode::Busy, "the server is shutting down");
     case ReadEnd::ClientEnded:
     case ReadEnd::TooMuch:
       return problem(400, ErrorCode::InvalidJson, "the body ends too early");
     case ReadEnd::None:
       break;
   }
-  return problem(400, ErrorCode::InvalidJson, "the body is not well chunked");
+  return problem(400, ErrorCode::InvalidJson, "the chunked encoding of the body is invalid");
 }
 
 bool is_chunked(const HeaderBlock& header) { return header.fields.contains("transfer-encoding"); }
@@ -70,7 +70,7 @@ std::optional<Answer> read_body(BodySource& source, const HttpLimits& limits, st
                             limits.body_bytes + limits.body_bytes / 4 + (64 << 10)});
   if (strcasecmp(field(source.header, "expect").c_str(), "100-continue") == 0 &&
       !connection.send("HTTP/1.1 100 Continue\r\n\r\n", limits.answer_seconds)) {
-    return problem(400, ErrorCode::InvalidJson, "the client is gone");
+    return problem(400, ErrorCode::InvalidJson, "the client has disconnected");
   }
   const bool complete = source.decoded([&](std::string_view part) {
     body.append(part);

@@ -34,7 +34,7 @@ Found find_route(const Routes& routes, const Request& request) {
     if (route.method == "GET") allowed += ", HEAD";
   }
   if (allowed.empty()) return {nullptr, {}, problem(404, ErrorCode::BadReference, "no such path")};
-  Answer refusal = problem(405, ErrorCode::Unsupported, "this path takes " + allowed);
+  Answer refusal = problem(405, ErrorCode::Unsupported, "this path accepts " + allowed);
   refusal.headers.emplace_back("Allow", allowed);
   return {nullptr, {}, std::move(refusal)};
 }

@@ -98,7 +98,7 @@ int run(const LiveArguments& arguments) {
                : exit_code::kBadInput;
   }
   for (const std::string& refused : session->real_time.refused)
-    std::cerr << "coapt-live: " << refused << "; periods may come late\n";
+    std::cerr << "coapt-live: " << refused << "; periods may be late\n";
   if (session->end == SessionEnd::Lost)
     std::cerr << "coapt-live: " << arguments.device << ": " << session->lost << '\n';
   if (arguments.json) {
@@ -116,38 +116,40 @@ void add_options(Command app, LiveArguments& arguments) {
   app.add_option("valve", arguments.valve, kValveHelp).required();
   add_plan_option(app, arguments.plan);
   app.add_option("--device", arguments.device,
-                 "stylus:FILE, a script (CSV: t_ms, x, y, z, button; mm), or haply, an Inverse3 at "
-                 "ws://localhost:10001, or haply:ws://HOST:PORT")
+                 "Haptic device: stylus:FILE, a script (CSV: t_ms, x, y, z, button; mm); haply, an "
+                 "Inverse3 at ws://localhost:10001; or haply:ws://HOST:PORT")
       .required();
-  app.add_option("--pressure", arguments.pressure_mmhg,
-                 "Of the ventricle over the atrium, mmHg; by default the valve's own")
+  app.add_option(
+         "--pressure", arguments.pressure_mmhg,
+         "Pressure of the ventricle relative to the atrium, mmHg (default: the valve's own)")
       .check(number_from(kLivePressures_mmhg.min, kLivePressures_mmhg.max))
       .show_argument("MMHG");
   app.add_option("--seconds", arguments.session.seconds,
-                 "How long; 0: until the script ends or the device goes")
+                 "Duration, s (0: until the script ends or the device disconnects)")
       .check(number_from(0.0, 86400.0))
       .show_default();
-  app.add_option("--rate", arguments.session.rate_hz, "Periods a second")
+  app.add_option("--rate", arguments.session.rate_hz, "Update rate, Hz")
       .check(number_from(10.0, 4000.0))
       .show_default();
-  app.add_option("--scale", arguments.session.scale, "Mm of the valve for a mm of the stylus")
+  app.add_option("--scale", arguments.session.scale,
+                 "Displacement in the valve per displacement of the stylus")
       .check(number_from(0.01, 100.0))
       .show_default();
   app.add_option("--record", arguments.record,
-                 "Write each period of the first 600 s (CSV): place, force, energy, lateness")
+                 "Write each period of the first 600 s (CSV): position, force, energy, lateness")
       .check({refuse_standard_output, "FILE"});
   app.add_flag("--json", arguments.json, "Print JSON (coapt.live/1)");
 }
 
 int run(int argc, char** argv) {
-  CommandLine line("coapt-live", "Lets a hand feel a valve: a haptic device, 1,000 times a second.",
+  CommandLine line("coapt-live", "Renders a valve on a haptic device at 1,000 Hz.",
                    about("coapt-live"));
   Command app = line.program();
   LiveArguments arguments;
   add_options(app, arguments);
   app.footer(
-      "The button takes hold of the leaflet or chorda that is nearest and lets go; then the valve "
-      "beats\nonce. Ctrl-C ends it.\n\n"
+      "The button grasps the nearest leaflet or chorda and releases it; the valve then beats once. "
+      "Ctrl-C\nends the session.\n\n"
       "Examples:\n"
       "  coapt-live human-functional-mr --device haply\n"
       "  coapt-live human-p2-prolapse --device stylus:examples/live/pull.csv --record felt.csv\n\n"

@@ -50,10 +50,10 @@ void hear(std::string_view line, FarmTalk& talk, const AskContext& context) {
 Errors reason_of(int status, FarmTalk talk, bool cancelled) {
   if (cancelled || status == kInterrupted)
     return {{ErrorCode::InputOutput, "",
-             "was interrupted; the farm keeps the work: ask again to take it up"}};
+             "was interrupted; the farm keeps the work, so repeat the request to resume it"}};
   if (!talk.errors.empty()) return std::move(talk.errors);
   std::string why = "coapt-farm ended with status " + std::to_string(status);
-  if (status == kHoles) why = "the farm could not compute all of it (coapt-farm status)";
+  if (status == kHoles) why = "the farm could not complete the run (see coapt-farm status)";
   if (!talk.words.empty()) why += ": " + talk.words;
   return {{status == kUsage ? ErrorCode::Unsupported : ErrorCode::InputOutput, "", why}};
 }

@@ -129,7 +129,7 @@ Expected<Connection> Connection::open(const std::string& url) {
   PQfreemem(complaint);  // may hold the password
   if (read == nullptr)
     return Error{ErrorCode::OutOfRange, "",
-                 "is no address of a database; must be like "
+                 "is not a database address; must be like "
                  "postgresql://user@host/database or postgresql:///database?host=/run/postgresql"};
   PQconninfoFree(read);
   // What stands before the URL is taken where the URL does not say otherwise; sockets of Unix need no encryption and ignore it.
@@ -201,7 +201,7 @@ Error Connection::error_of(const pg_result* result) const {
       result == nullptr ? nullptr : PQresultErrorField(result, PG_DIAG_MESSAGE_PRIMARY);
   const ErrorCode code = is_open() ? code_of(state == nullptr ? "" : state) : ErrorCode::Busy;
   if (code == ErrorCode::Unsupported)
-    return {code, "", where_ + ": has no farm of this version; make one with coapt-farm init"};
+    return {code, "", where_ + ": has no farm of this version; create one with coapt-farm init"};
   return {
       code, "",
       where_ + ": " + one_line(primary == nullptr ? PQerrorMessage(connection_.get()) : primary)};

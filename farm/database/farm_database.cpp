@@ -34,12 +34,12 @@ Error wrong_version(const std::string& where, std::int64_t version) {
   return {ErrorCode::Unsupported, "",
           where + ": its farm has version " + std::to_string(version) +
               ", this program works with " + std::to_string(farm_schema_version()) +
-              (version < farm_schema_version() ? "; coapt-farm init brings it up to date" : "")};
+              (version < farm_schema_version() ? "; run coapt-farm init to update it" : "")};
 }
 
 Error other_work(const std::string& where) {
   return {ErrorCode::Unsupported, "",
-          where + ": holds other work under the name of what was asked for; nothing of it is used"};
+          where + ": holds other work under the requested name; it is not used"};
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ class Worker {
   }
 
   void note_trouble(const std::string& message) {
-    if (message != troubled_) say_(message + "; tries again");
+    if (message != troubled_) say_(message + "; retrying");
     troubled_ = message;
   }
 
@@ -205,8 +205,8 @@ class Worker {
     const auto waiting = nlohmann::ordered_json::parse(*text);
     if (waiting["mine"] != 0) return false;
     for (const auto& other : waiting["others"])
-      say_(std::to_string(other["runs"].get<int>()) + " open for workers of revision " +
-           other["revision"].get<std::string>() + "; this one is " + options_.name.revision);
+      say_(std::to_string(other["runs"].get<int>()) + " runs wait for workers of revision " +
+           other["revision"].get<std::string>() + "; this worker has " + options_.name.revision);
     is_dry_ = true;
     report_.end = WorkerEnd::Dry;
     return true;
@@ -222,10 +222,10 @@ class Worker {
         if (!verdict) return;
         if (*verdict == "unclaimed" || *verdict == "unknown")
           say_("items from " + std::to_string(task.key.first) + " of run " +
-               std::to_string(task.key.run) + " were no longer asked of this worker");
+               std::to_string(task.key.run) + " are no longer assigned to this worker");
         if (*verdict == "differs")
-          say_("another worker answered items from " + std::to_string(task.key.first) + " of run " +
-               std::to_string(task.key.run) + " differently");
+          say_("another worker returned different results for items from " +
+               std::to_string(task.key.first) + " of run " + std::to_string(task.key.run));
         ++report_.tasks;
         report_.items += task.count;
       } else {

@@ -89,34 +89,34 @@ int add(const AddArguments& arguments, const FarmKinds& kinds) {
 
 void add_add(Command parent, int& status, const FarmKinds& kinds) {
   const auto arguments = std::make_shared<AddArguments>();
-  Command command = parent.add_command("add", "Ask the farm for work");
+  Command command = parent.add_command("add", "Submit a run to the farm");
   command.add_option("request", arguments->file, "Request (coapt.work/1), or - for standard input")
       .required();
   add_farm_option(command, arguments->farm);
-  command.add_option("--label", arguments->label, "What the run is called in coapt-farm status");
+  command.add_option("--label", arguments->label, "Name of the run in coapt-farm status");
   command
       .add_option("--team", arguments->team,
-                  "Only workers of this team may answer (coapt-farm init --team)")
+                  "Restrict the run to workers of this team (coapt-farm init --team)")
       .show_argument("NAME");
   command
       .add_option("--check-share", arguments->check_share,
-                  "Share of tasks that workers of two logins compute, whose answers are compared")
+                  "Fraction of tasks computed by workers of two logins, to compare their results")
       .check(number_from(0.0, 1.0))
       .show_default("0.0156");
-  command.add_flag("--wait", arguments->wait, "Wait for the answers and write them");
+  command.add_flag("--wait", arguments->wait, "Wait for the results and write them");
   command
       .add_option("-o,--output", arguments->output,
-                  "With --wait: write them here, not to standard output")
+                  "With --wait: write the results to this file instead of standard output")
       .show_argument("FILE");
   add_recompute_option(command, arguments->recompute);
   command.add_flag("--progress-json", arguments->json_progress,
-                   "Progress and errors on standard error as JSON, a line a second");
-  command.add_flag("--quiet", arguments->quiet, "Show no progress");
+                   "Print progress and errors on standard error as JSON, one line per second");
+  command.add_flag("--quiet", arguments->quiet, "Do not show progress");
   command.add_flag("--json", arguments->json, "Without --wait: print JSON");
   command.footer(
-      "The same request again is the same run: whoever adds it waits for it or has its answers at "
-      "once.\nA run that was cancelled goes on, tasks that failed are tried again. Ctrl-C ends the "
-      "waiting alone.\n\n"
+      "Submitting the same request again refers to the same run and returns its results if they "
+      "exist.\nA cancelled run resumes, and failed tasks are retried. Ctrl-C ends only the "
+      "waiting.\n\n"
       "Examples:\n"
       "  coapt-farm add request.bin --label \"annulus, valve 3\"\n"
       "  coapt-farm add - --wait < request.bin > answers.bin");

@@ -37,12 +37,12 @@ int forget(const RunArguments& arguments) {
 
 void add_cancel(Command parent, int& status) {
   const auto arguments = std::make_shared<RunArguments>();
-  Command command = parent.add_command("cancel", "Let no worker take tasks of a run any more");
+  Command command = parent.add_command("cancel", "Stop assigning tasks of a run to workers");
   add_run_argument(command, arguments->run);
   add_farm_option(command, arguments->farm);
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "Answers are kept: adding the request again goes on from there.\n\n"
+      "Results so far are kept; submit the request again to resume the run.\n\n"
       "Examples:\n"
       "  coapt-farm cancel 3");
   command.on_run([arguments, &status] { status = cancel(*arguments); });
@@ -50,11 +50,11 @@ void add_cancel(Command parent, int& status) {
 
 void add_forget(Command parent, int& status) {
   const auto arguments = std::make_shared<RunArguments>();
-  Command command = parent.add_command("forget", "Remove a run with its answers and its valves");
+  Command command = parent.add_command("forget", "Remove a run with its results and valves");
   add_run_argument(command, arguments->run);
   add_farm_option(command, arguments->farm);
   command.footer(
-      "An open run must be cancelled first. A valve that other runs need stays.\n\n"
+      "An open run must be cancelled first. Valves used by other runs are kept.\n\n"
       "Examples:\n"
       "  coapt-farm forget 3");
   command.on_run([arguments, &status] { status = forget(*arguments); });

@@ -9,8 +9,9 @@ const char* const kFarmFooter =
     "wanted\n"
     "  coapt study generality -o out --farm postgresql://boss@db.example/farm\n"
     "  coapt-farm status --watch\n"
-    "The address may come from the environment: COAPT_FARM. Its password belongs into PGPASSFILE.\n"
-    "Each command's --help has more; `man coapt-farm` has all.\n\n"
+    "The environment variable COAPT_FARM can hold the address. Keep the password in "
+    "PGPASSFILE.\nSee `coapt-farm COMMAND --help` for details and `man coapt-farm` for the "
+    "manual.\n\n"
     "Exit codes: 0 done; 1 it failed; 2 bad input or usage; 4 a run ended with holes; 130 "
     "interrupted,\nthe run stays.";
 

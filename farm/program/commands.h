@@ -30,6 +30,7 @@ void add_farm_commands(Command app, int& status, const FarmKinds& kinds);
 /// Help of the program as a whole: examples and exit codes.
 extern const char* const kFarmFooter;
 inline constexpr const char* kFarmDescription =
-    "Shares the closures and searches of coapt among any number of machines, by a database.";
+    "Distributes the closures and searches of coapt over any number of machines through a "
+    "database.";
 
 }  // namespace coapt

@@ -13,7 +13,7 @@ namespace coapt {
 void add_farm_option(Command command, FarmOption& option) {
   command
       .add_option("--db", option.url,
-                  "The farm's database: postgresql://USER@HOST/NAME, or over a socket "
+                  "Database of the farm: postgresql://USER@HOST/NAME, or through a socket "
                   "postgresql:///NAME?host=/FOLDER")
       .show_argument("URL")
       .environment("COAPT_FARM")
@@ -21,7 +21,7 @@ void add_farm_option(Command command, FarmOption& option) {
 }
 
 void add_run_argument(Command command, std::uint64_t& run) {
-  command.add_option("run", run, "Number of the run, as coapt-farm status shows it")
+  command.add_option("run", run, "Number of the run in coapt-farm status")
       .check(number_from(std::uint64_t{1},
                          static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())))
       .required();
@@ -30,8 +30,8 @@ void add_run_argument(Command command, std::uint64_t& run) {
 void add_recompute_option(Command command, int& tasks) {
   command
       .add_option("--recompute", tasks,
-                  "Tasks, drawn at random, that are computed again here before the answers are "
-                  "written; by default 2, of searches 1 in runs of 5 and more")
+                  "Number of random tasks recomputed here before the results are written (default: "
+                  "2; for searches 1, in runs of 5 and more)")
       .check(number_from(0, 1'000'000))
       .show_argument("TASKS");
 }

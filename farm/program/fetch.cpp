@@ -57,15 +57,18 @@ int fetch(const FetchArguments& arguments, const FarmKinds& kinds) {
 
 void add_fetch(Command parent, int& status, const FarmKinds& kinds) {
   const auto arguments = std::make_shared<FetchArguments>();
-  Command command = parent.add_command("fetch", "Write the answers of a run");
+  Command command = parent.add_command("fetch", "Write the results of a run");
   add_run_argument(command, arguments->run);
   add_farm_option(command, arguments->farm);
-  command.add_option("-o,--output", arguments->output, "Write them here, not to standard output")
+  command
+      .add_option("-o,--output", arguments->output,
+                  "Write the results to this file instead of standard output")
       .show_argument("FILE");
   command.add_flag("--wait", arguments->wait, "Wait until the run is done");
   add_recompute_option(command, arguments->recompute);
-  command.add_flag("--tasks", arguments->tasks,
-                   "Task by task, each after a line \"FIRST ITEMS BYTES\"; a run with holes, too");
+  command.add_flag(
+      "--tasks", arguments->tasks,
+      "Write each task after a line \"FIRST ITEMS BYTES\"; also for an incomplete run");
   command.footer(
       "Examples:\n"
       "  coapt-farm fetch 3 > answers.bin\n"

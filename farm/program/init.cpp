@@ -36,7 +36,8 @@ int init(const InitArguments& arguments) {
     std::cout << connection->where() << ": the farm is ready"
               << (arguments.team.empty()
                       ? ""
-                      : "; logins of the team need: GRANT coapt_team_" + arguments.team + " TO ...")
+                      : "; grant the role to logins of the team: GRANT coapt_team_" +
+                            arguments.team + " TO ...")
               << '\n';
   return exit_code::kOk;
 }
@@ -45,16 +46,17 @@ int init(const InitArguments& arguments) {
 
 void add_init(Command parent, int& status) {
   const auto arguments = std::make_shared<InitArguments>();
-  Command command = parent.add_command("init", "Make a farm in a database");
+  Command command = parent.add_command("init", "Create a farm in a database");
   add_farm_option(command, arguments->farm);
   command
       .add_option("--team", arguments->team,
-                  "Make the role of a team, too: its runs are for its members alone")
+                  "Also create the role of a team, whose runs are reserved for its members")
       .check({team_problem, "NAME"});
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "Makes tables, functions and the roles coapt_coordinator, coapt_worker and coapt_reader; may "
-      "be\nrun again. The login needs the right to make schemas and roles (CREATEROLE).\n\n"
+      "Creates tables, functions and the roles coapt_coordinator, coapt_worker and coapt_reader; "
+      "may be\nrun again. The login needs the privilege to create schemas and roles "
+      "(CREATEROLE).\n\n"
       "Examples:\n"
       "  coapt-farm init --db 'postgresql:///farm?host=/run/postgresql'\n"
       "  coapt-farm init --db postgresql://boss@db.example/farm --team cardiology");

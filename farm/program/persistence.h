@@ -29,7 +29,7 @@ inline void sleep_unless(PatientClock::duration time, const std::atomic<bool>& i
 /// A farm that does not answer so often when it is first asked, a second apart, is not waited for.
 inline constexpr int kFirstAttempts = 6;
 
-/// Opens a farm; tries again while it may pass: a study asks anew for each batch, and does not end because the database restarts.
+/// Opens a farm; retrying while it may pass: a study asks anew for each batch, and does not end because the database restarts.
 inline Expected<FarmDatabase> open_patiently(const std::string& url,
                                              const std::atomic<bool>& interrupted) {
   for (int attempt = 1;; ++attempt) {
@@ -51,7 +51,7 @@ auto persistently(FarmDatabase& database, const std::atomic<bool>& interrupted, 
     if (answer) return *std::move(answer);
     Errors errors = answer.errors();
     if (may_pass(errors)) {
-      if (told != errors.front().message && !json) say(errors.front().message + "; tries again");
+      if (told != errors.front().message && !json) say(errors.front().message + "; retrying");
       told = errors.front().message;
       sleep_unless(pause, interrupted);
       errors = database.reopen();

@@ -52,13 +52,14 @@ void add_status(Command parent, int& status) {
   add_farm_option(command, arguments->farm);
   command.add_flag("--json", arguments->json, "Print JSON (coapt.farm/1)");
   command
-      .add_flag("--prometheus", arguments->prometheus, "Print metrics in Prometheus' text format")
+      .add_flag("--prometheus", arguments->prometheus,
+                "Print metrics in the Prometheus text format")
       .excludes("--json");
-  command.add_flag("--watch", arguments->watch, "Again every 2 s, until Ctrl-C")
+  command.add_flag("--watch", arguments->watch, "Repeat every 2 s until Ctrl-C")
       .excludes("--json")
       .excludes("--prometheus");
   command.footer(
-      "Items are done when their answer stands; rates are those of the last minute.\n\n"
+      "An item is done once its result is accepted; rates are averages over the last minute.\n\n"
       "Examples:\n"
       "  coapt-farm status --watch\n"
       "  coapt-farm status --prometheus > /var/lib/node_exporter/coapt.prom.new");

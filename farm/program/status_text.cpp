@@ -46,12 +46,12 @@ void print_run(std::ostream& out, const Json& run) {
       << (label.empty() ? "" : "  " + label) << (team.empty() ? "" : "  (team " + team + ")")
       << '\n';
   if (run["waits_for_workers"] == true)
-    out << "  waits for a worker of revision " << words_in(run["revision"]) << '\n';
+    out << "  waiting for a worker of revision " << words_in(run["revision"]) << '\n';
   if (run["tasks_disputed"] != 0)
     out << "  " << counted(run["tasks_disputed"].get<long>(), "task")
-        << " answered in different ways: other workers compute them again\n";
+        << " returned different results and are computed again by other workers\n";
   for (const Json& hole : run["poison"])
-    out << "  no answer for items from " << hole["first"] << " (" << hole["items"]
+    out << "  no result for items from " << hole["first"] << " (" << hole["items"]
         << "): " << words_in(hole["error"]) << '\n';
 }
 
@@ -132,19 +132,19 @@ void print_prometheus(std::ostream& out, const Json& status) {
   const Json& runs = status["runs"];
   const std::vector<const char*> of_run = {"run", "label", "state"};
   print_family(out, runs, "coapt_farm_run_items", "gauge", "Items of a run.", "items", of_run);
-  print_family(out, runs, "coapt_farm_run_items_done", "gauge", "Items that are settled.", "done",
-               of_run);
-  print_family(out, runs, "coapt_farm_run_rate", "gauge", "Items a second in the last minute.",
+  print_family(out, runs, "coapt_farm_run_items_done", "gauge", "Items with an accepted result.",
+               "done", of_run);
+  print_family(out, runs, "coapt_farm_run_rate", "gauge", "Items per second in the last minute.",
                "rate_per_s", of_run);
-  print_family(out, runs, "coapt_farm_run_tasks_open", "gauge", "Tasks that nobody holds.",
-               "tasks_open", of_run);
-  print_family(out, runs, "coapt_farm_run_tasks_claimed", "gauge", "Tasks that workers hold.",
-               "tasks_claimed", of_run);
-  print_family(out, runs, "coapt_farm_run_tasks_poison", "gauge", "Tasks given up.", "tasks_poison",
+  print_family(out, runs, "coapt_farm_run_tasks_open", "gauge", "Unassigned tasks.", "tasks_open",
                of_run);
+  print_family(out, runs, "coapt_farm_run_tasks_claimed", "gauge", "Assigned tasks.",
+               "tasks_claimed", of_run);
+  print_family(out, runs, "coapt_farm_run_tasks_poison", "gauge", "Abandoned tasks.",
+               "tasks_poison", of_run);
   print_family(out, runs, "coapt_farm_run_tasks_disputed", "gauge",
-               "Tasks that workers answered in different ways.", "tasks_disputed", of_run);
-  print_family(out, runs, "coapt_farm_run_workers", "gauge", "Live workers that may answer a run.",
+               "Tasks with conflicting results.", "tasks_disputed", of_run);
+  print_family(out, runs, "coapt_farm_run_workers", "gauge", "Live workers eligible for a run.",
                "workers", of_run);
   std::map<std::string, int> workers = {{"alive", 0}, {"barred", 0}, {"gone", 0}};
   for (const Json& worker : status["workers"])
@@ -154,11 +154,11 @@ void print_prometheus(std::ostream& out, const Json& status) {
     out << "coapt_farm_workers{state=\"" << state << "\"} " << count << '\n';
   const std::vector<const char*> of_worker = {"name", "pid"};
   print_family(out, status["workers"], "coapt_farm_worker_items_total", "counter",
-               "Items that a worker answered.", "items", of_worker);
+               "Items completed by a worker.", "items", of_worker);
   print_family(out, status["workers"], "coapt_farm_worker_computing_seconds_total", "counter",
-               "Time that a worker spent in computing.", "seconds", of_worker);
+               "Computing time of a worker.", "seconds", of_worker);
   describe_farm(out, "coapt_farm_faults_total", "counter",
-                "Leases that ran out (lost), failures, answers that differ, workers barred.");
+                "Expired leases (lost), failures, conflicting results, barred workers.");
   if (status["faults_total"].is_object())
     for (const auto& [what, count] : status["faults_total"].items())
       out << "coapt_farm_faults_total{what=\"" << what << "\"} " << count << '\n';

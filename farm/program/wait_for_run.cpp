@@ -76,10 +76,10 @@ int for_each_answer(FarmDatabase& database, const AskedRun& asked, bool with_hol
     for (const AnsweredTask& task : *tasks) {
       if (task.work != asked.work)
         return report_farm_errors(
-            {{ErrorCode::InputOutput, "", run + " answers another request than this one"}}, json);
+            {{ErrorCode::InputOutput, "", run + " belongs to another request"}}, json);
       if (!with_holes && task.first != next)
         return report_farm_errors({{ErrorCode::InputOutput, "",
-                                    run + ": no answer for items from " + std::to_string(next)}},
+                                    run + ": no result for items from " + std::to_string(next)}},
                                   json);
       if (!take(task)) return exit_code::kFailure;
       next = task.first + task.count;
@@ -97,7 +97,7 @@ int report_holes(const Json& progress, bool json) {
   const auto all = progress["tasks_poison"].get<std::size_t>();
   if (all > errors.size())
     errors.push_back({ErrorCode::ImpossibleStep, "",
-                      "and " + std::to_string(all - errors.size()) + " more tasks without answer"});
+                      "and " + std::to_string(all - errors.size()) + " more tasks without result"});
   report_farm_errors(errors, json);
   return kHoles;
 }
@@ -182,9 +182,9 @@ int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_error
     const AnsweredTask& task = drawing.drawn()[i];
     try {
       if (asked.check->compute(task.first, task.count, usable_threads()) != task.bytes)
-        wrong = {task.first, "computed here, they are other bytes"};
+        wrong = {task.first, "recomputed here, they differ"};
     } catch (const std::exception& error) {
-      wrong = {task.first, std::string("they cannot be computed here: ") + error.what()};
+      wrong = {task.first, std::string("they could not be recomputed here: ") + error.what()};
     }
   }
   if (interrupted) return exit_code::kInterrupted;
@@ -195,9 +195,9 @@ int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_error
   if (!whose) return status;
   return report_farm_errors(
       {{ErrorCode::Unsupported, "",
-        "run " + std::to_string(asked.run) + ": the answers to items from " +
-            std::to_string(wrong->first) + " are not right (" + wrong->why + "); they are of " +
-            *whose + ", whose answers are open again for others"}},
+        "run " + std::to_string(asked.run) + ": the results for items from " +
+            std::to_string(wrong->first) + " are wrong (" + wrong->why + "); they came from " +
+            *whose + ", whose items are assigned to other workers"}},
       json_errors);
 }
 
@@ -219,7 +219,7 @@ int write_answers(FarmDatabase& database, const AskedRun& asked, bool frames, st
         if (frames) out << task.first << ' ' << task.count << ' ' << task.bytes.size() << '\n';
         out << task.bytes;
         if (out.flush()) return true;
-        say("the answers cannot be written");
+        say("the results cannot be written");
         return false;
       });
 }

@@ -93,36 +93,38 @@ int work(WorkArguments& arguments, const FarmKinds& kinds) {
 void add_work(Command parent, int& status, const FarmKinds& kinds) {
   const auto arguments = std::make_shared<WorkArguments>();
   WorkerOptions& worker = arguments->worker;
-  Command command = parent.add_command("work", "Compute for the farm");
+  Command command = parent.add_command("work", "Run a worker of the farm");
   add_farm_option(command, arguments->farm);
-  command.add_option("--threads", worker.threads, "Threads of a task; answers do not depend on it")
+  command
+      .add_option("--threads", worker.threads,
+                  "Number of threads per task; does not change results")
       .check(number_from(1, 1024))
       .show_default();
   command.add_flag("--until-dry", worker.until_dry,
-                   "End when no run is open that this worker may answer");
+                   "Exit when no open run is left for this worker");
   command
       .add_option("--seconds", worker.seconds,
-                  "End before so long, and give back what is not done; 0: no limit")
+                  "Exit before this time has passed and return unfinished tasks (0: no limit)")
       .check(number_from(0.0, 1e9))
       .show_default();
   command
       .add_option("--grace", worker.grace_s,
-                  "Seconds that a task in progress may still take when the worker is stopped")
+                  "Grace period, s, for a task in progress when the worker is stopped")
       .check(number_from(0.0, 3600.0))
       .show_default();
   command.add_option("--name", worker.name.name,
-                     "By default the machine's with the process's number");
+                     "Name of the worker (default: host name and process number)");
   command
       .add_option("--lease", worker.name.lease_s,
-                  "Seconds without a sign of life after which others take its tasks")
+                  "Seconds without a heartbeat after which the tasks go to other workers")
       .check(number_from(0.5, 3600.0))
       .show_default();
-  command.add_flag("--quiet", arguments->quiet, "Say nothing but errors");
-  command.add_flag("--json", arguments->json, "Print what it did as JSON");
+  command.add_flag("--quiet", arguments->quiet, "Print errors only");
+  command.add_flag("--json", arguments->json, "Print a summary as JSON");
   command.footer(
-      "Any number of workers may come and go. SIGTERM or Ctrl-C ends one: it hands in what is "
-      "done and\ngives the rest back. One that is killed loses nothing either: others take its "
-      "tasks.\nRuns that another revision of coapt asked for are left alone.\n\n"
+      "Any number of workers may join and leave. On SIGTERM or Ctrl-C a worker submits finished "
+      "items and\nreturns the rest. The tasks of a killed worker go to others. A worker skips runs "
+      "that require\nanother revision of coapt.\n\n"
       "Examples:\n"
       "  coapt-farm work --db postgresql://anna@db.example/farm --threads 4\n"
       "  coapt-farm work --until-dry --seconds 3500");

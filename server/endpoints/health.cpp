@@ -28,14 +28,14 @@ Answer GetLive::operator()(const Request& /*request*/) const {
 }
 
 Answer GetReady::operator()(const Request& /*request*/) const {
-  if (jobs.stopping()) return retry_later(503, "the server is about to stop");
+  if (jobs.stopping()) return retry_later(503, "the server is shutting down");
   if (const Errors errors = store.check_writable(); !errors.empty())
     return retry_later(503, without_folders(errors.front().message));
   static const Valve kValve = small_valve();
   const auto start = std::chrono::steady_clock::now();
   const ClosureResult closure = close_valve(kValve);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
-  if (!trusted(closure)) return retry_later(503, "a small valve does not close");
+  if (!trusted(closure)) return retry_later(503, "the test closure of a small valve failed");
   const JobLoad load = jobs.load();
   return json_answer(200, {{"status", "ready"},
                            {"closure_ms", ms.count()},

@@ -35,7 +35,7 @@ Ended ended_job(const JobStore& store, const Request& request, bool with_result)
             "",
             problem(409, ErrorCode::BadReference,
                     std::string("the job is ") + to_string(state) +
-                        "; it has results when it is SUCCEEDED or CANCELLED")};
+                        "; results are available once it is SUCCEEDED or CANCELLED")};
   if (!with_result) return {**job, ""};
   const Expected<std::optional<std::string>> result = store.result((*job)->id);
   if (!result) return {{}, "", store_problem(result.errors())};

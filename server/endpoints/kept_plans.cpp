@@ -68,7 +68,7 @@ Answer PostKeptPlan::operator()(const Request& request) const {
   if (!*is_kept)
     return problem(
         409, ErrorCode::OutOfRange,
-        "this service keeps at most " + std::to_string(most) + " plans: remove some first");
+        "this service keeps at most " + std::to_string(most) + " plans; remove some first");
   Answer answer = json_answer(201, to_json(kept));
   answer.headers.emplace_back("Location", "/v1/kept-plans/" + kept.id);
   return answer;

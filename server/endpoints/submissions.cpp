@@ -78,11 +78,11 @@ Answer submit(const Submitting& to, const Request& request, const SubmittedWork&
   switch (submitted->taken) {
     case JobBoard::Taken::OtherRequest:
       return problem(422, ErrorCode::OutOfRange,
-                     "this Idempotency-Key was used before, for another request");
+                     "this Idempotency-Key was already used for another request");
     case JobBoard::Taken::QueueFull:
       return retry_later(429, "too many jobs are waiting");
     case JobBoard::Taken::Stopping:
-      return retry_later(503, "the server is about to stop");
+      return retry_later(503, "the server is shutting down");
     case JobBoard::Taken::New:
     case JobBoard::Taken::Known:
       break;

@@ -23,7 +23,7 @@ struct Read {
 
 Read read_valve_body(const ValveSource& source, const Request& request) {
   const Compute::Turn turn(source.parsing);
-  if (!turn) return {Valve{}, retry_later(503, "too many requests are read at once")};
+  if (!turn) return {Valve{}, retry_later(503, "too many requests are being read")};
   const Expected<Json> json = parse_json(request.body, most_values(source.limits));
   if (!json) return {Valve{}, problem(400, json.errors())};
   Expected<Valve> valve = valve_from_json(*json);

@@ -25,10 +25,10 @@ std::optional<JobEnd> begin(JobBoard& board, RunningJob& job, std::int64_t known
   int stalled = 0;
   if (!board.start(job, known, stalled)) throw std::runtime_error(kJobStops);
   if (stalled < kMostStalled) return std::nullopt;
-  return failed(job,
-                {Error{ErrorCode::Unsupported, "",
-                       "the server was ended " + std::to_string(stalled) +
-                           " times in a row while it ran this job, before it kept a new closure"}});
+  return failed(
+      job, {Error{ErrorCode::Unsupported, "",
+                  "the server was ended " + std::to_string(stalled) +
+                      " times in a row while running this job, before a new closure was stored"}});
 }
 
 void keep_closure(JobBoard& board, RunningJob& job, const std::function<Errors()>& keep) {

@@ -15,7 +15,7 @@ constexpr const char* kOnTheFarm = "searched by the farm";
 Error out_of_time(double seconds) {
   return {ErrorCode::OutOfRange, "/search",
           "took longer than " + shown(seconds) +
-              " s, the limit of this service; the farm goes on: request it again to continue"};
+              " s, the limit of this service; the farm continues, so repeat the request later"};
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::optional<JobEnd> FarmPlan::operator()(RunningJob& job, const Valve& valve,
   if (!bytes) return failed(job, bytes.errors());
   Expected<std::vector<PlanAnswer>> answers = plan_answers(*bytes);
   if (!answers || answers->size() != 1)
-    return failed(job, {Error{ErrorCode::Unsupported, "", "the farm's answer is none"}});
+    return failed(job, {Error{ErrorCode::Unsupported, "", "the farm returned an invalid answer"}});
   PlanAnswer& answer = answers->front();
   Json plans = Json::parse(answer.plans);
   plans["seconds"] = job.seconds();

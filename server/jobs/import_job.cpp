@@ -52,11 +52,11 @@ ImportDecision fit_decision(const ValveFit& fit) {
   std::string doubts;
   for (const std::string& doubt : doubts_of(fit)) doubts += "; " + doubt;
   return {"fit",
-          "changed to close onto the surface given: distances " + fixed(fit.rms_before_mm, 2) +
-              " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
+          "adjusted so that the valve closes onto the given surface: distance " +
+              fixed(fit.rms_before_mm, 2) + " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
           std::to_string(known) + " of " + std::to_string(fit.parameters.size()) +
-              " unknowns are told by the surface; the others stay as uncertain as they were" +
-              (fit.stop == FitStop::AtRest ? "" : "; stopped before it came to rest") + doubts,
+              " parameters are constrained by the surface; the others keep their uncertainty" +
+              (fit.stop == FitStop::AtRest ? "" : "; stopped before convergence") + doubts,
           !doubts.empty()};
 }
 
@@ -108,7 +108,7 @@ Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const FitReq
 std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   using Text = std::optional<std::string>;
   const Text body = retried<Text>(board, job, [&] { return store.input(job.job.id); });
-  if (!body) return failed(job, {Error{ErrorCode::BadReference, "", "its files are gone"}});
+  if (!body) return failed(job, {Error{ErrorCode::BadReference, "", "its files no longer exist"}});
   std::optional<FitState> from =
       kept_state(retried<Text>(board, job, [&] { return store.state(job.job.id); }));
   if (const std::optional<JobEnd> end = begin(board, job, from ? from->closures : 0)) return end;

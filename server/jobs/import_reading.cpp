@@ -41,9 +41,9 @@ Json preview_json(const NamedFile& file, Eigen::Index& left) {
                {},
                {},
                {Error{ErrorCode::OutOfRange, "",
-                      "is not shown: it has " + std::to_string(preview.points.rows()) +
+                      "cannot be previewed: it has " + std::to_string(preview.points.rows()) +
                           " points and " + std::to_string(preview.faces.rows()) +
-                          " triangles, and the files of one request may have 1000000 together"}},
+                          " triangles, and the files of one request may have 1,000,000 in total"}},
                std::move(preview.parts)};
   left -= preview.points.size() + preview.faces.size();
   return {{"name", file.name},
@@ -205,12 +205,12 @@ std::optional<Answer> ImportReader::operator()(ImportStep step, const std::strin
     case ReaderProcesses::End::OutOfMemory:
       return problem(422, ErrorCode::OutOfRange,
                      "the files take more than " + std::to_string(limits.import_bytes >> 20) +
-                         " MiB to read, the limit of this service: send fewer or coarser ones, or "
+                         " MiB to read, the limit of this service; send fewer or coarser files, or "
                          "import them offline (coapt valve import)");
     case ReaderProcesses::End::OutOfTime:
       return problem(422, ErrorCode::OutOfRange,
                      "the files take more than " + std::to_string(order.cpu_seconds) +
-                         " s to read, the limit of this service: send fewer or coarser ones, or "
+                         " s to read, the limit of this service; send fewer or coarser files, or "
                          "import them offline (coapt valve import)");
     case ReaderProcesses::End::Answered:
       if (result.answer.size() > kDigits) {
@@ -225,10 +225,9 @@ std::optional<Answer> ImportReader::operator()(ImportStep step, const std::strin
     case ReaderProcesses::End::Died:
       break;
   }
-  return problem(
-      422, ErrorCode::InputOutput,
-      "the files could not be read: the process that read them ended without an answer. "
-      "Import them offline (coapt valve import), and please report it if that fails, too");
+  return problem(422, ErrorCode::InputOutput,
+                 "the files could not be read, because the reading process crashed. Import them "
+                 "offline (coapt valve import), and please report a bug if that also fails");
 }
 
 Json answer_document(const Answer& answer) {
@@ -272,7 +271,7 @@ Expected<LeafletMesh> surface_from(const Json& document) {
   if (places.size() % 3 != 0 || corners.size() % 3 != 0 ||
       std::any_of(corners.begin(), corners.end(),
                   [&](int corner) { return corner < 0 || corner >= vertices; }))
-    problems.add(ErrorCode::BadTopology, "", "is no mesh");
+    problems.add(ErrorCode::BadTopology, "", "is not a mesh");
   if (!problems.empty()) return std::move(problems).take();
   LeafletMesh surface;
   surface.vertices_mm = Eigen::Map<const Points>(places.data(), vertices, 3);

@@ -128,7 +128,7 @@ Expected<std::optional<NamedFile>> whole_labels(const ImportRequest& asked) {
   if (!named) return Error{named.errors()[0].code, "/labels", named.errors()[0].message};
   if (!*named)
     return Error{ErrorCode::UnknownField, "/voxels",
-                 "cannot be given: labels names no other file of voxels"};
+                 "is not allowed, because labels refers to no separate voxel file"};
   return std::optional(
       NamedFile{asked.labels->name, attached(asked.labels->bytes, asked.voxels->bytes)});
 }
@@ -148,7 +148,7 @@ NamedFile read_file(const JsonPlace& place) {
   } else if (std::optional<std::string> bytes = decoded_base64(*base64)) {
     file.bytes = *std::move(bytes);
   } else {
-    add_problem(place, ErrorCode::OutOfRange, "base64 has other characters than those of base64");
+    add_problem(place, ErrorCode::OutOfRange, "base64 contains invalid characters");
   }
   return file;
 }
@@ -197,7 +197,7 @@ Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
       vertices > limits.vertices)
     problems.add(ErrorCode::OutOfRange, "/triangles",
                  "is " + std::to_string(asked.options.triangles) + ", which takes " +
-                     std::to_string(vertices) + " vertices; this service takes at most " +
+                     std::to_string(vertices) + " vertices; this service accepts at most " +
                      std::to_string(limits.vertices));
   for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
                                     {asked.labels.has_value(), "/labels"},
@@ -206,25 +206,26 @@ Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
   if (asked.voxels && !asked.labels)
     problems.add(ErrorCode::UnknownField, "/voxels",
-                 "needs labels: the header that names this file of voxels");
+                 "requires labels, the header that refers to this voxel file");
   if (!asked.leaflets && !asked.labels && !asked.slicerheart)
     problems.add(ErrorCode::MissingField, "/leaflets",
-                 "is missing (or give labels, a label map, or slicerheart)");
+                 "is missing (alternatives: labels, a label map, or slicerheart)");
   const bool drawn = asked.options.chordae_seed.has_value();
   if (asked.chordae && asked.slicerheart)
     problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
   if (asked.chordae && drawn)
     problems.add(ErrorCode::UnknownField, "/chordae_seed",
-                 "cannot be given together with chordae: it draws those that were not seen");
+                 "cannot be given together with chordae, because it synthesises chordae");
   if (!asked.chordae && !drawn && !asked.slicerheart)
-    problems.add(ErrorCode::MissingField, "/chordae",
-                 "is missing (or give chordae_seed, which draws them, or slicerheart)");
+    problems.add(
+        ErrorCode::MissingField, "/chordae",
+        "is missing (alternatives: chordae_seed, which synthesises chordae, or slicerheart)");
   if (asked.tips && asked.slicerheart)
     problems.add(ErrorCode::UnknownField, "/tips",
-                 "cannot be given together with slicerheart: they are among its files");
+                 "cannot be given together with slicerheart, whose files include them");
   else if (asked.tips && !drawn)
     problems.add(ErrorCode::UnknownField, "/tips",
-                 "needs chordae_seed: chordae that were seen begin at their tips");
+                 "requires chordae_seed, because imaged chordae already begin at their tips");
   if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
     problems.add(
         ErrorCode::OutOfRange, "/leaflets",
@@ -232,9 +233,8 @@ Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
             " files, must have 1 (a skirt, or both leaflets as its parts) or 2 (the anterior, then "
             "the posterior sheet)");
   if (asked.fit && !asked.fit->surface && !asked.options.closed.value_or(false))
-    problems.add(
-        ErrorCode::MissingField, "/fit/surface",
-        "is missing; only leaflets that were imaged closed are a closed surface themselves");
+    problems.add(ErrorCode::MissingField, "/fit/surface",
+                 "is missing; it may be omitted only for leaflets imaged closed");
   return std::move(problems).take();
 }
 

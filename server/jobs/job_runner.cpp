@@ -96,8 +96,8 @@ std::optional<JobEnd> JobRunner::run_one(RunningJob& job) const {
 std::optional<JobEnd> JobRunner::end_of(RunningJob& job) const {
   const auto work = work_.find(job.job.kind);
   if (work == work_.end())
-    return failed(job,
-                  {Error{ErrorCode::Unsupported, "", "this server knows no such kind of job"}});
+    return failed(
+        job, {Error{ErrorCode::Unsupported, "", "this server does not support this kind of job"}});
   try {
     return work->second(job);
   } catch (const std::exception& error) {

@@ -88,8 +88,7 @@ std::variant<std::vector<JobFileName>, Answer> SearchReports::list(const JobStor
       const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
       if (seconds.count() > limits.request_seconds || (request.abandoned && request.abandoned()))
         return retry_later(503,
-                           "the reports of this search are still drawn, to know their sizes: "
-                           "ask again");
+                           "the reports of this search are still being generated; try again later");
       const std::optional<Answer> made = report(store, job, name);
       if (!made || made->status != 200) return made.value_or(not_found("file"));
       size = static_cast<std::int64_t>(std::get<Content>(made->body).bytes.size());

@@ -62,7 +62,8 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
     if (job.seconds() > limits.seconds) throw StudyStopped("out of time");
   };
   options.keep = [&](const ConfigurationKey& key, const OrificeSample& sample) {
-    if (board.stopping()) throw StudyStopped("the server stops");  // the closure may be unfinished
+    if (board.stopping())
+      throw StudyStopped("the server is shutting down");  // the closure may be unfinished
     keep_closure(board, job, [&] { return kept.keep(subject, key, sample); });
     go_on();
   };
@@ -91,8 +92,8 @@ std::optional<JobEnd> StudyJob::operator()(RunningJob& job) const {
     if (job.seconds() <= limits.seconds) throw;
     return failed(job, {Error{ErrorCode::OutOfRange, "/study",
                               "took longer than " + shown(limits.seconds) +
-                                  " s, the limit of this service; its closures are kept: request "
-                                  "it again to continue"}});
+                                  " s, the limit of this service; its closures are stored, so "
+                                  "repeat the request to continue"}});
   }
 }
 

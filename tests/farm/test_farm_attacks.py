@@ -55,7 +55,7 @@ class Attacks(FarmTest):
         self.assertEqual(self.status()["runs"][0]["state"], "done")
         fetched = self.farm("fetch", 1, url=self.boss, code=FAILURE)
         self.assertEqual(fetched.stdout, b"")
-        self.assertRegex(fetched.stderr, "are not right .* of (one|two), login mallory")
+        self.assertRegex(fetched.stderr, "are wrong .* from (one|two), login mallory")
         self.assertEqual(self.status()["runs"][0]["state"], "open")
         coordinator = self.coordinator(request, "--check-share", "1", url=self.boss)
         self.worker(url=self.honest)
@@ -168,7 +168,7 @@ class Attacks(FarmTest):
             self.worker("--name", f"wrong {i}", TOY_FLIP="1", url=self.honest)
         run = self.run_farm("add", "-", "--wait", "--check-share", "0", stdin=request.bytes(), url=self.boss)
         self.assertEqual((run.returncode, run.stdout), (FAILURE, b""))
-        self.assertEqual(run.stderr.count("are not right"), 4)
+        self.assertEqual(run.stderr.count("are wrong"), 4)
 
     def test_a_farm_of_the_version_before_is_brought_up_to_date(self):
         self.sql(

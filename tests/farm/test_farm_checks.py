@@ -38,7 +38,7 @@ class Checks(FarmTest):
         twice = "SELECT count(*) FROM coapt_farm.opinion WHERE given = 2"
         wait_until(lambda: self.number(twice) == 2)
         self.assertIsNone(coordinator.poll())
-        self.assertIn("answered in different ways", self.farm("status").stdout.decode())
+        self.assertIn("returned different results", self.farm("status").stdout.decode())
         self.worker("--name", "third", url=self.three)
         self.collect(coordinator, request)
         self.assertEqual(self.sql("SELECT name FROM coapt_farm.worker WHERE barred"), [["wrong"]])

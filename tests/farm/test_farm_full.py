@@ -37,7 +37,7 @@ class Full(FarmTest):
         self.sql("ALTER TABLE coapt_farm.result ALTER bytes SET STORAGE EXTERNAL")  # what is compressed takes no room
         worker = self.worker(TOY_SIZE="10000")  # 4 MB in all
         said = [worker.stderr.readline().decode()]
-        while "tries again" not in said[-1]:
+        while "retrying" not in said[-1]:
             said.append(worker.stderr.readline().decode())
         self.assertIn("could not extend file", said[-1])
         self.assertLess(self.done(), 40)
