@@ -43,13 +43,13 @@ void add_service_limits(Command app, ServiceLimits& service) {
   add_limit(app, "--import-bytes", service.import_bytes, std::size_t{1} << 28, std::size_t{1} << 40,
             "Maximum address space of the process that reads the files of an import");
   add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Maximum running time of a job");
-  add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Maximum number of saved plans");
+  add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Maximum number of kept plans");
   add_limit(app, "--kept-jobs", service.retention.jobs, 1, 1'000'000,
             "Maximum number of finished jobs to keep; the oldest are removed first");
   add_limit(app, "--kept-days", service.retention.days, 0.0, 36500.0,
             "Days to keep a finished job, and closures that no job has used (0: no limit)");
   add_limit(app, "--kept-valves", service.retention.valves, 1, 1'000'000,
-            "Maximum number of stored valves, in addition to those of jobs and saved plans");
+            "Maximum number of stored valves, in addition to those of jobs and kept plans");
   add_limit(app, "--kept-closures", service.retention.closures, 1, 1'000'000'000,
             "Maximum number of stored closures for searches, and separately for studies; the least "
             "recently used valve is evicted first");

@@ -1,6 +1,6 @@
 // Numbers as people read them. What is not known is said so, never shown as zero.
 
-const UNKNOWN = 'not known'
+const UNKNOWN = 'unknown'
 
 /// With `digits` after the point.
 export function number(value: number | null | undefined, digits = 1): string {

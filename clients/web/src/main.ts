@@ -30,10 +30,10 @@ const makers: Record<ViewName, (workspace: Workspace) => Promise<View>> = {
   search: async (workspace) => new (await import('./search/view')).SearchView(workspace),
   studies: HAS_SERVICE
     ? async (workspace) => new (await import('./studies/view')).StudiesView(workspace)
-    : async () => needsService('Studies', 'Studies of a valve need coapt-server.'),
+    : async () => needsService('Studies', 'Studies of a valve require coapt-server.'),
   farm: HAS_SERVICE
     ? async () => new (await import('./farm/view')).FarmView()
-    : async () => needsService('Farm', 'A farm belongs to coapt-server.'),
+    : async () => needsService('Farm', 'A farm requires coapt-server.'),
   cohort: async () => new (await import('./cohort/view')).CohortView(),
   train: async (workspace) => new (await import('./train/view')).TrainView(workspace),
 }
@@ -72,7 +72,7 @@ async function show(name: ViewName): Promise<void> {
 /// In the place of a view that cannot be shown: its file did not come, or the browser draws nothing in three dimensions.
 function said(error: unknown): View {
   const isLost = error instanceof TypeError
-  const words = isLost ? 'the service does not answer' : error instanceof Error ? error.message : String(error)
+  const words = isLost ? 'the service does not respond' : error instanceof Error ? error.message : String(error)
   const element = h('p', { class: parts.bad, role: 'alert' }, `This view cannot be shown: ${words}.`)
   return { element, show: () => {}, hide: () => {} }
 }

@@ -207,7 +207,7 @@ export class JobFailed extends Error {
 /// An error as problems that can be listed.
 export function problemsOf(error: unknown): Problem[] {
   if ((error instanceof ApiError || error instanceof JobFailed) && error.problems.length > 0) return error.problems
-  if (error instanceof TypeError) return [{ code: 'failed', path: '', message: 'The service does not answer.' }]
+  if (error instanceof TypeError) return [{ code: 'failed', path: '', message: 'The service does not respond.' }]
   const message = error instanceof Error ? error.message : String(error)
   return [{ code: 'failed', path: '', message }]
 }

@@ -67,11 +67,11 @@ function diagnosis({ closure, problem }: Row): string {
   if (problem) return problem
   if (!closure) return WAITING
   const { diagnosis } = closure
-  if (!diagnosis) return 'not to be trusted'
+  if (!diagnosis) return 'unreliable'
   if (diagnosis.competent) return 'Competent'
   const where = diagnosis.segments.filter(({ finding }) => finding === 'prolapse' || finding === 'flail')
   const findings = where.map(({ name, finding }) => `${name} ${finding}`).join(', ')
-  return `Type ${diagnosis.types.join(' and ')}${findings && `: ${findings}`}${diagnosis.type_sure ? '' : ' (not sure)'}`
+  return `Type ${diagnosis.types.join(' and ')}${findings && `: ${findings}`}${diagnosis.type_sure ? '' : ' (uncertain)'}`
 }
 
 /// Competent valves first, then by Carpentier's types.

@@ -14,10 +14,7 @@ export interface SideBySide {
 }
 
 export function sideBySide(): SideBySide {
-  const viewers = ['first', 'second'].map((which) => new Viewer(`The ${which} valve that is compared`)) as [
-    Viewer,
-    Viewer,
-  ]
+  const viewers = ['first', 'second'].map((which) => new Viewer(`The ${which} compared valve`)) as [Viewer, Viewer]
   const captions = viewers.map(() => h('figcaption', {}))
   viewers[0].stage.pair(viewers[1].stage)
   const element = h(

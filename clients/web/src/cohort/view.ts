@@ -58,7 +58,7 @@ export class CohortView implements View {
         h(
           'span',
           { class: parts.hint },
-          'Drop a folder of valves in coapt’s JSON here, such as the members of a population.',
+          'Drop a folder of coapt valve files (JSON) here, such as the members of a population.',
         ),
         HAS_SERVICE && this.search,
       ),
@@ -139,15 +139,15 @@ export class CohortView implements View {
   private async add(files: File[]): Promise<void> {
     const given = files.filter(({ name }) => name.toLowerCase().endsWith('.json'))
     const refused: string[] = []
-    if (given.length === 0) refused.push('There is no file in JSON among these.')
-    if (given.length > MOST_FILES) refused.push(`Of ${given.length} files the first ${MOST_FILES} are taken.`)
+    if (given.length === 0) refused.push('None of these files is a JSON file.')
+    if (given.length > MOST_FILES) refused.push(`Only the first ${MOST_FILES} of ${given.length} files were loaded.`)
     for (const [i, file] of given.slice(0, MOST_FILES).entries()) {
       this.said.textContent = `reading ${file.name}, ${i + 1} of ${Math.min(given.length, MOST_FILES)} ...`
       try {
         const text = await file.text()
         const [first] = await problemsOfValve(text)
         if (first) {
-          refused.push(`${file.name} holds no valve: ${first.path} ${first.message}.`)
+          refused.push(`${file.name} is not a valve file: ${first.path} ${first.message}.`)
           continue
         }
         const id = await storeValve(text)
@@ -238,7 +238,7 @@ export class CohortView implements View {
     this.said.textContent = `${rows.length} valves, ${closed.length} closed; ${leaking.length} of them leak.`
     const left = this.toSearch().length
     this.search.disabled = left === 0
-    this.search.title = `Searches for plans for the ${left} valves of this list that leak and have none.`
+    this.search.title = `Search for plans for the ${left} leaking valves in this list that have none.`
   }
 
   /// Of three the one that was ticked first is left out.

@@ -43,7 +43,7 @@ export class EchoPanel {
       h(
         'p',
         { class: parts.hint },
-        'The long axis through the middle of the annulus, or where the valve is cut, seen from the atrium: speckle and blur as of an echo, without its acoustics.',
+        'Long-axis view through the middle of the annulus, or at the position of the cut: speckle and blur resemble echocardiography, but acoustics are not simulated.',
       ),
     )
     this.element.addEventListener('toggle', () => this.element.open && this.last?.())

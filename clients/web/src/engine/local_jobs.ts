@@ -28,7 +28,7 @@ export function localJobs(startThread: () => Thread, now_ms: () => number = Date
 
   function start(reference: string, request: string): Promise<Response> {
     if ([...searches.values()].some(({ job }) => job.finished === null))
-      return Promise.resolve(refusal(409, 'a search is running in this page already: wait for it, or cancel it'))
+      return Promise.resolve(refusal(409, 'a search is already running in this page; wait for it, or cancel it'))
     const search: Search = {
       job: newJob(`here-${++count}`, reference, time(now_ms())),
       events: [],
@@ -116,7 +116,7 @@ export function localJobs(startThread: () => Thread, now_ms: () => number = Date
     if (search === undefined)
       return id === ''
         ? null
-        : refusal(404, 'there is no such job: a page without coapt-server keeps searches while it is open')
+        : refusal(404, 'there is no such job; without coapt-server the page keeps searches only while it is open')
     switch (`${method} ${rest}`) {
       case 'GET ':
         return json(200, search.job)

@@ -64,7 +64,7 @@ export function localService({ engine, scoring, jobs, file, valves }: LocalParts
     if (typeof reference !== 'string') return path === SEARCHED ? jobs.start('', text) : ask(path, text, signal)
     const document = (await preset(reference)) ?? (await valves.find(reference))?.text
     if (document === undefined)
-      return problem(422, 'is neither the id of a kept valve nor the name of a preset', '/valve')
+      return problem(422, 'is neither the id of a stored valve nor the name of a preset', '/valve')
     const fields = Object.entries(body).map(
       ([name, value]) => `${JSON.stringify(name)}:${name === 'valve' ? document : JSON.stringify(value)}`,
     )
@@ -121,7 +121,7 @@ function splitId(path: string): string[] {
 
 /// `text`: of a valid valve. Its id is the SHA-256 of it, in hexadecimal digits.
 async function keptValve(text: string): Promise<KeptValve> {
-  if (!globalThis.crypto.subtle) throw new Error('A browser keeps valves of pages from https:// or localhost only.')
+  if (!globalThis.crypto.subtle) throw new Error('The browser stores valves only for pages from https:// or localhost.')
   const hash = await crypto.subtle.digest('SHA-256', new TextEncoder().encode(text))
   const id = [...new Uint8Array(hash)].map((byte) => byte.toString(16).padStart(2, '0')).join('')
   const { name, vertices_mm, faces } = JSON.parse(text) as { name: string; vertices_mm: unknown[]; faces: unknown[] }

@@ -7,9 +7,9 @@ export interface EngineThread<Message, Reply> {
   onerror: ((event: ErrorEvent) => void) | null
 }
 
-const NO_SIMD = 'This needs WebAssembly with SIMD, which this browser does not have: use a newer one.'
+const NO_SIMD = 'This view requires WebAssembly with SIMD, which this browser does not support. Please use a newer one.'
 const FILE = 'coapt-engine.wasm'
-const NO_ENGINE = `This needs the engine (${FILE}), which is not installed beside this page. Whoever runs the service adds it with “make wasm web”.`
+const NO_ENGINE = `This view requires the engine (${FILE}), which is not installed. The administrator of the service can add it with “make wasm web”.`
 
 /// Whether its file stands beside the page; yes while nobody answers.
 export function hasEngine(): Promise<boolean> {

@@ -22,14 +22,14 @@ export function headline({ runs, workers }: Farm): string {
   const open = runs.filter((run) => run.state === 'open').length
   const together = alive.reduce((sum, worker) => sum + worker.rate_per_s, 0)
   const standing = open === 0 ? 'no run is open' : open === 1 ? 'one run is open' : `${open} runs are open`
-  if (alive.length === 0) return `No worker is alive; ${standing}.`
+  if (alive.length === 0) return `No worker is running; ${standing}.`
   return `${alive.length === 1 ? 'One worker computes' : `${alive.length} workers compute`} ${rate(together)}; ${standing}.`
 }
 
 const STATES: Record<Run['state'], [words: string, tone: string]> = {
   open: ['running', 'soft'],
   done: ['done', 'good'],
-  holes: ['done but for holes', 'bad'],
+  holes: ['incomplete', 'bad'],
   cancelled: ['cancelled', 'warn'],
 }
 
@@ -38,7 +38,7 @@ function badge(words: string, tone: string): HTMLElement {
 }
 
 function stateOf(run: Run): HTMLElement {
-  return run.waits_for_workers ? badge('waits for workers', 'warn') : badge(...STATES[run.state])
+  return run.waits_for_workers ? badge('waiting for workers', 'warn') : badge(...STATES[run.state])
 }
 
 function progressOf(run: Run): HTMLElement {
@@ -48,8 +48,8 @@ function progressOf(run: Run): HTMLElement {
 
 function troubleOf(run: Run): string {
   const said: string[] = []
-  if (run.tasks_disputed > 0) said.push(`${run.tasks_disputed} answered in different ways`)
-  if (run.tasks_poison > 0) said.push(`${run.tasks_poison} given up`)
+  if (run.tasks_disputed > 0) said.push(`${run.tasks_disputed} with conflicting results`)
+  if (run.tasks_poison > 0) said.push(`${run.tasks_poison} abandoned`)
   return said.join(', ')
 }
 

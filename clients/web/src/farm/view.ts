@@ -67,7 +67,7 @@ function withoutFarm(): HTMLElement {
       {},
       'This service computes on its own machine. Started with ',
       h('code', {}, '--farm'),
-      ', it hands studies and searches to the workers of a farm, which are shown here.',
+      ', it distributes studies and searches to the workers of a farm, which are shown here.',
     ),
   )
 }

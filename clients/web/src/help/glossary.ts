@@ -1,36 +1,36 @@
 // What the words on the page mean, each in a sentence or two for a surgeon.
 export const GLOSSARY = {
-  leak: 'The least area of a surface in the blood that parts atrium from ventricle, between leaflets with their thickness. It is an area of the closed valve, not a volume of blood.',
+  leak: 'The area of the smallest surface that separates atrium from ventricle between the closed leaflets, including their thickness. It is an anatomic orifice area, not a regurgitant volume.',
   bounds:
-    'The leak is measured on cubes of half a millimetre, and on these its least area lies between the two. How far mesh and closure may be off is in the error, not here.',
+    'The leak is measured on voxels of half a millimetre; its exact area on these lies between the two bounds. Errors of mesh and closure are part of the numerical error, not of the bounds.',
   opening:
-    'The least area of a surface that parts atrium from ventricle between the open leaflets in diastole, with annulus and papillary tips as far apart as diastole has them. The leaflets rest under the load that blood has at the peak of filling; its flow itself is not computed.',
+    'The area of the smallest surface that separates atrium from ventricle between the open leaflets in diastole, with annulus and papillary tips in their diastolic positions. The leaflets are in equilibrium with the load at peak filling; the flow itself is not simulated.',
   gradient:
-    'The mean pressure difference that the pulse of filling would need through the opening, by Bernoulli’s equation.',
+    'The mean pressure difference that drives the filling pulse through the opening, from Bernoulli’s equation.',
   coaptation:
-    'How high the contact between the leaflets is, across the line of coaptation. About 8 mm is the aim of a repair.',
-  tenting_height: 'From the plane of the annulus down to where the leaflets meet.',
+    'The height of contact between the leaflets, measured across the coaptation line. Repairs aim for about 8 mm.',
+  tenting_height: 'The distance from the annular plane to the coaptation point.',
   tenting_area:
-    'The area between the plane of the annulus and the leaflets, in the middle section. It is negative where the leaflets are above the plane.',
-  saddle: 'How far the annulus rises from its plane to the saddle peak in the middle of the anterior side.',
-  tension: 'The force in a chorda of the closed valve.',
+    'The area between the annular plane and the leaflets in the mid-valve section. Parts above the plane count as negative.',
+  saddle: 'The height of the saddle peak, in the middle of the anterior annulus, above the annular plane.',
+  tension: 'The tensile force in a chorda of the closed valve.',
   strain:
-    'How much the leaflet is stretched against its unloaded state, along the annulus (circumferential) or from the annulus to the free edge (radial). Given is the 99th percentile: 1 % of the leaflet area is stretched more. Chordae pull at single points, so radial values are too high near them.',
+    'The stretch of the leaflet relative to its unloaded state, along the annulus (circumferential) or from the annulus to the free edge (radial). The value is the 99th percentile: 1 % of the leaflet area is stretched more. Chordae insert at single points, so radial strains near them are overestimated.',
   error:
-    'How far the area may be off because the mesh is coarse and the closure ends early; nine of ten valves of a comparison were nearer. It grows with the area. What tissue, imaging and pressure add is not in it.',
+    'The error of the area due to mesh size and the stopping criterion of the closure; in nine of ten test valves the error was smaller. It grows with the area and does not include errors of tissue, imaging and pressure.',
   finer:
-    'The valve is closed again on meshes of four and sixteen times the triangles, until the leak changes by less than 0.5 mm² or 5 %. Each mesh takes some ten times as long as the one before.',
+    'The valve is closed again on meshes of four and sixteen times as many triangles, until the leak changes by less than 0.5 mm² or 5 %. Each mesh takes about ten times as long as the one before.',
   tissue:
-    'The valve was closed many times with tissue and chordae as stiff, as long and as thick as their sources leave open, weighed by what was observed of it. Nine of ten of these closures leak between the two areas.',
-  margin: 'By how much a suture or a ring may be off before the valve leaks more than 1 mm².',
-  cost: 'A price in mm² of leak, by which the search climbs and by which plans are ranked if you move the sliders: the leak with its spread, and prices in mm² of leak for steps, undersizing, movement of the muscles, too little coaptation, too much tension, a gradient in diastole above 3 mmHg and further disease that the repair does not outlast; the closure as planned counts as on the finer mesh. The prices are judgements, not measurements; they stand under “Weights of the cost”.',
+    'The valve was closed in many variants of tissue and chordae within the ranges of their sources, weighted by the observations of this valve. The leak lies between the two areas in nine of ten variants.',
+  margin: 'The smallest error in placing a suture or a ring that makes the valve leak more than 1 mm².',
+  cost: 'The objective of the search, in mm² of leak; the sliders rank plans by it. It adds to the leak and its spread a weight, in mm² of leak, for each step, undersizing, papillary displacement, low coaptation, high chordal tension, a diastolic gradient above 3 mmHg and a small reserve against progression; the planned closure is that on the finer mesh. The weights are judgements, not measurements; see “Weights of the cost”.',
   durability:
-    'How far disease may go on, by the way of the posteromedial papillary tip, until the valve leaks more than 5 mm²: the mean over eight courses of 12 mm.',
+    'How far the posteromedial papillary muscle can be displaced by progressing disease before the leak exceeds 5 mm²: the mean over eight simulated courses of up to 12 mm.',
   region:
-    'The plan is closed many times with small errors of execution: lengths up to 1 mm and the direction of the papillary tips up to 5° off. Given are the mean and the standard deviation of the leak; 95 % of these closures leak less than the next column says.',
+    'The plan is closed many times with small errors of execution: lengths off by up to 1 mm and the direction of the papillary tips by up to 5°. The columns show the mean, the standard deviation and the 95th percentile of the leak.',
   pareto:
-    'No other ranked plan is better in one of leak (mean + sd), opening in diastole and further disease that it bears without being worse in another of them.',
+    'No other ranked plan is better in leak (mean + sd), diastolic opening or reserve against progression without being worse in another of the three.',
   acceptable:
-    'The repaired valve leaks less than 5 mm² with a probability of at least 95 %, over errors of execution, of the model’s own values and of the mesh, and on the finer mesh, too; no rule of practice rejects the plan, and the valve opens far enough.',
+    'The repaired valve leaks less than 5 mm² with a probability of at least 95 %, given the errors of execution, tissue and mesh, and also on the finer mesh; no rule of practice rejects the plan; and the valve opens far enough.',
 } as const
 export type Term = keyof typeof GLOSSARY

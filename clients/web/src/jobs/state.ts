@@ -18,8 +18,8 @@ export function stateBadge(state: JobState): HTMLElement {
 
 /// What a job that has not ended is waiting for or doing.
 export function standing(job: Job): string {
-  if (job.waiting_for) return `Paused: ${job.waiting_for}. It resumes by itself.`
+  if (job.waiting_for) return `Paused: ${job.waiting_for}. The job resumes automatically.`
   if (job.state === 'QUEUED')
-    return job.queue_position ? `Waiting: ${job.queue_position} ahead of it.` : 'Waiting for its turn.'
-  return job.cancel_requested ? 'Stopping soon, with the best so far.' : ''
+    return job.queue_position ? `Waiting: ${job.queue_position} jobs ahead.` : 'Waiting in the queue.'
+  return job.cancel_requested ? 'Stopping soon with the best result so far.' : ''
 }

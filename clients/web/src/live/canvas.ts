@@ -215,9 +215,9 @@ export class LiveCanvas {
 
   private rateWords(): string {
     const steps = Math.round(this.stepsPerSecond / 100) * 100
-    const words = [`${steps.toLocaleString('en')} steps a second`]
-    if (this.picturesPerSecond > 0) words.push(`${Math.round(this.picturesPerSecond)} pictures a second`)
-    if (this.latency_ms !== null) words.push(`${number(this.latency_ms, 0)} ms from drag to picture`)
+    const words = [`${steps.toLocaleString('en')} steps per second`]
+    if (this.picturesPerSecond > 0) words.push(`${Math.round(this.picturesPerSecond)} frames per second`)
+    if (this.latency_ms !== null) words.push(`${number(this.latency_ms, 0)} ms latency`)
     return words.join(' · ')
   }
 

@@ -36,8 +36,8 @@ export class Pressure {
       h(
         'p',
         { class: parts.row },
-        button('Flaccid', () => this.set(0), { title: 'No pressure: the valve hangs open' }),
-        button('Systole', () => this.set(this.systole_mmhg), { title: 'The pressure that closes it' }),
+        button('Flaccid', () => this.set(0), { title: 'No pressure; the valve hangs open' }),
+        button('Systole', () => this.set(this.systole_mmhg), { title: 'Systolic pressure, which closes the valve' }),
         this.text,
       ),
     )
@@ -92,12 +92,12 @@ export class HookPanel {
           {},
           h('td', {}),
           h('th', { scope: 'col' }, 'Force'),
-          h('th', { scope: 'col', title: 'of the tissue that it holds, above the annular plane' }, 'Height'),
+          h('th', { scope: 'col', title: 'of the grasped tissue above the annular plane' }, 'Height'),
           h('td', {}),
         ),
         ...rows,
       ),
-      h('label', { class: parts.check }, pins, 'Pin hooks where they are let go'),
+      h('label', { class: parts.check }, pins, 'Keep hooks in place after release'),
       grabbers(canvas),
       lifts(canvas),
       h(
@@ -107,23 +107,23 @@ export class HookPanel {
         h(
           'ul',
           { class: parts.hint },
-          h('li', {}, 'Press a leaflet or a chorda and drag; the wheel moves the hook along the view.'),
-          h('li', {}, 'Or grab the middle of a free edge by the segment’s button, then lift it.'),
+          h('li', {}, 'Press a leaflet or a chorda and drag; the wheel moves the hook along the viewing direction.'),
+          h('li', {}, 'Or grab the middle of a free edge with the button of its segment, then lift it.'),
           h(
             'li',
             {},
-            'Two hooks: two fingers, or pin the first (P while dragging, Shift when letting go) and press again.',
+            'Two hooks: use two fingers, or keep the first in place (P while dragging, Shift on release) and press again.',
           ),
           h(
             'li',
             {},
-            'Keys: Enter grabs the middle of the picture, arrows move the hook, Page Up lifts it, Page Down lowers it, Escape lets go.',
+            'Keys: Enter grabs the centre of the picture, arrow keys move the hook, Page Up lifts it, Page Down lowers it, Escape releases it.',
           ),
-          h('li', {}, 'The arrow is the force on the tissue, four millimetres a newton.'),
+          h('li', {}, 'The arrow shows the force on the tissue, at four millimetres per newton.'),
           h(
             'li',
             {},
-            'Let go under pressure, the valve beats once: it opens and closes again, as if no hook had been there.',
+            'After release under pressure, the valve beats once: it opens and closes again, as it would without a hook.',
           ),
         ),
       ),
@@ -161,8 +161,10 @@ export function lifts({ hooks }: LiveCanvas): HTMLElement {
   return h(
     'p',
     { class: parts.row },
-    button('Lift', () => hooks.lift(LIFT_MM), { title: `What is held, ${LIFT_MM} mm towards the atrium` }),
-    button('Lower', () => hooks.lift(-LIFT_MM), { title: `What is held, ${LIFT_MM} mm towards the ventricle` }),
+    button('Lift', () => hooks.lift(LIFT_MM), { title: `Move the grasped tissue ${LIFT_MM} mm towards the atrium` }),
+    button('Lower', () => hooks.lift(-LIFT_MM), {
+      title: `Move the grasped tissue ${LIFT_MM} mm towards the ventricle`,
+    }),
     button('Let go', () => hooks.releaseAll()),
   )
 }

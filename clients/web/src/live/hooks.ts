@@ -151,7 +151,7 @@ export class Hooks {
 
   private handle(name: string, hook: number): Handle {
     const force = h('span', { 'aria-hidden': 'true', 'data-part': 'force' })
-    const label = `${name}: drag, or arrow keys; Page Up lifts, Page Down lowers, Escape lets go`
+    const label = `${name}: drag, or arrow keys; Page Up lifts, Page Down lowers, Escape releases`
     const button = h('button', {
       type: 'button',
       'aria-label': label,

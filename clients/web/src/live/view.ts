@@ -34,7 +34,7 @@ import liveStyle from './live.module.css'
 export class LiveView implements View {
   readonly element: HTMLElement
   private readonly canvas = new LiveCanvas({
-    label: 'The valve that moves: press it and drag; Enter grabs the middle, arrow keys turn it, plus and minus zoom',
+    label: 'The moving valve: press and drag it; Enter grabs the centre, arrow keys rotate it, plus and minus zoom',
     view: 'atrial',
     isFixed: false,
     look: { strain: true, prolapse: true, plane: false, cut: null },
@@ -229,7 +229,7 @@ export class LiveView implements View {
         h(
           'p',
           { role: 'status' },
-          isNew ? `Kept as “${kept.name}”.` : `This repair is kept already, as “${kept.name}”.`,
+          isNew ? `Kept as “${kept.name}”.` : `This repair is already kept as “${kept.name}”.`,
         ),
       )
     } catch (error) {

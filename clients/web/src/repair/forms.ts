@@ -88,7 +88,7 @@ function edgeForm(step: EdgeToEdge, context: StepContext): HTMLElement {
     h(
       'p',
       { class: parts.hint },
-      'Holds opposite points of both free edges together. The two openings of diastole are not computed.',
+      'Holds opposite points of both free edges together. The two diastolic orifices are not computed.',
     ),
   )
 }
@@ -141,7 +141,7 @@ function resectionForm(step: Resection, context: StepContext): HTMLElement {
       slider('Height', step.height, RESECTION_HEIGHT, '', (height, passing) =>
         context.change({ ...step, height }, passing),
       ),
-    h('p', { class: parts.hint }, 'Chordae of the tissue that is cut out are cut, too.'),
+    h('p', { class: parts.hint }, 'Chordae of the resected tissue are also cut.'),
   )
 }
 
@@ -149,7 +149,11 @@ function ringForm(step: Annuloplasty, context: StepContext): HTMLElement {
   const { rings, sizes_mm } = context.rings
   // A designed shape comes from a file, so it is offered only where it is.
   const designed = step.shape === 'designed' ? [['designed', ringName(step)] as const] : []
-  const shapes = [['own', 'own shape'] as const, ...rings.map(({ name }) => [name, name] as const), ...designed]
+  const shapes = [
+    ['own', 'shape of the annulus'] as const,
+    ...rings.map(({ name }) => [name, name] as const),
+    ...designed,
+  ]
   const usual = 2 * Math.round(context.before.closure.annulus.al_pm_mm / 2) - 4
   const choose = (name: string): void => {
     if (name === step.shape) return

@@ -44,7 +44,7 @@ export class KeptPlans {
         button('Save plans', () => download('plans.json', planFile(this.workspace.kept))),
         filePicker('Plans to load', 'Load plans', { accept: '.json', use: ([file]) => void this.load(file) }),
       ),
-      ...(HAS_SERVICE ? [] : [h('p', { class: parts.hint }, 'Reports need coapt-server.')]),
+      ...(HAS_SERVICE ? [] : [h('p', { class: parts.hint }, 'Reports require coapt-server.')]),
     )
   }
 
@@ -58,7 +58,7 @@ export class KeptPlans {
     this.tellBest()
     this.list.replaceChildren(
       kept.length === 0
-        ? h('p', { class: parts.hint }, 'Keep a repair to find it here again, compare it and score it.')
+        ? h('p', { class: parts.hint }, 'Keep a repair to compare and score it here.')
         : h('ol', { class: repairStyle.kept }, ...kept.map((plan) => this.item(plan))),
     )
   }
@@ -110,7 +110,7 @@ export class KeptPlans {
         }),
         HAS_SERVICE &&
           button('Report', () => void this.report(kept), {
-            title: 'One page to read, print and share',
+            title: 'Report of this plan (HTML) to read, print and share',
             'aria-label': `Report on ${kept.name}`,
           }),
       ),
@@ -129,7 +129,7 @@ export class KeptPlans {
         kept.map(({ plan }) => plan),
         (done) => {
           this.progress.value = done / kept.length
-          this.said.textContent = `closing ${kept[done]?.name ?? ''} ${REGION_POINTS} times: ${done} of ${kept.length} plans are scored`
+          this.said.textContent = `closing ${kept[done]?.name ?? ''} ${REGION_POINTS} times; ${done} of ${kept.length} plans are scored`
         },
       )
       scores.forEach((score, i) => {
@@ -143,7 +143,7 @@ export class KeptPlans {
   }
 
   private async report({ name, plan, valve }: KeptPlan): Promise<void> {
-    this.said.textContent = `closing ${name} ${REGION_POINTS} times, and for evidence ...`
+    this.said.textContent = `closing ${name} ${REGION_POINTS} times, and with errors of single sutures ...`
     const page = (evidence: boolean) => report(valve, [plan], REGION_POINTS, evidence)
     await this.try(async () => {
       download(`${name}.html`, await page(true).catch(() => page(false))) // of a fine mesh it is too much for the service

@@ -66,7 +66,7 @@ export class PlanEditor {
     const anatomy = this.anatomy()
     this.titles = []
     if (anatomy) this.list.replaceChildren(...steps.map((step, i) => this.item(anatomy, step, i)))
-    if (steps.length === 0) this.list.replaceChildren(h('li', { class: parts.hint }, 'No steps yet: add one above.'))
+    if (steps.length === 0) this.list.replaceChildren(h('li', { class: parts.hint }, 'No steps yet. Add one above.'))
     // Who sets values with the keyboard goes on where they were.
     if (focused >= 0) this.controls()[focused]?.focus()
   }
@@ -142,7 +142,7 @@ export class PlanEditor {
     }
     const places = Object.keys(FREE_EDGE).map((name) => [name, `free edge of ${name}`] as const)
     this.ask({
-      hint: 'Click where the neochorda is to insert.',
+      hint: 'Click the insertion of the neochorda.',
       kinds: ['leaflet'],
       use: (pick) => pick.kind === 'leaflet' && from(pick.point, pick.point_mm),
       list: {
@@ -231,13 +231,13 @@ export class PlanEditor {
       change: (step, passing) => this.change(i, step, passing),
       pickInsertion: (use) =>
         this.ask({
-          hint: 'Click where it is to insert.',
+          hint: 'Click the new insertion.',
           kinds: ['leaflet'],
           use: (pick) => pick.kind === 'leaflet' && use(pick.point),
         }),
       pickAnchor: (use) =>
         this.ask({
-          hint: 'Click the annulus where the suture is tied.',
+          hint: 'Click the anchor of the suture on the annulus.',
           kinds: ['annulus'],
           use: (pick) => pick.kind === 'annulus' && use(pick.around),
         }),

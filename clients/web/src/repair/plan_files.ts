@@ -19,7 +19,7 @@ export function plansIn(text: string): FoundPlan[] {
   const json = parsed(text) as { plans?: Partial<FoundPlan>[] } & Partial<Plan>
   const entries = json.schema === 'coapt.plan/1' ? [{ plan: json as Plan }] : (json.plans ?? [])
   const plans = entries.filter((entry): entry is FoundPlan => isPlan(entry?.plan))
-  if (plans.length === 0) throw new Error('the file holds no plan (coapt.plan/1)')
+  if (plans.length === 0) throw new Error('the file contains no plan (coapt.plan/1)')
   return plans
 }
 

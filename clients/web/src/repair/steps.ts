@@ -89,7 +89,7 @@ export function describe(step: Step): string {
     case 'chordal_excision':
       return `Chorda ${step.chorda} cut`
     case 'chordal_transfer':
-      return `Chorda ${step.chorda} moved to ${placeWords(step.insertion)}`
+      return `Chorda ${step.chorda} transferred to ${placeWords(step.insertion)}`
   }
 }
 

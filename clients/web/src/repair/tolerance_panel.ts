@@ -44,11 +44,11 @@ export class TolerancePanel {
     private readonly viewer: Viewer,
     private readonly rings: () => Rings,
   ) {
-    this.choice.setAttribute('aria-label', 'What ends elsewhere')
+    this.choice.setAttribute('aria-label', 'Step with an error of execution')
     this.element = h(
       'section',
-      { class: parts.panel, 'aria-label': 'If it ends elsewhere' },
-      h('h2', {}, 'If it ends elsewhere'),
+      { class: parts.panel, 'aria-label': 'Error of execution' },
+      h('h2', {}, 'Error of execution'),
       h('label', { class: parts.field }, h('span', {}, 'Vary'), this.choice),
       this.said,
       this.scale,
@@ -121,7 +121,7 @@ export class TolerancePanel {
 
   private tellNothing(): void {
     this.said.textContent =
-      'Grab a handle on the repaired valve, or choose one here: the valve is closed with it in other places.'
+      'Grab a handle on the repaired valve, or choose a step here, to close the valve with errors in its placement.'
     for (const part of [this.scale, this.curves, this.progress]) part.replaceChildren()
   }
 
@@ -129,7 +129,7 @@ export class TolerancePanel {
     const { after } = this.workspace
     const { signal } = this.work
     if (!after) return
-    this.said.textContent = 'The valve is closed with it in other places ...'
+    this.said.textContent = 'Closing the valve with errors in its placement ...'
     for (const part of [this.scale, this.curves, this.progress]) part.replaceChildren()
     await new Promise((rest) => setTimeout(rest, REST_MS))
     if (signal.aborted) return
@@ -147,7 +147,7 @@ export class TolerancePanel {
   }
 
   private show(misses: Misses, known: Tolerance, limit_mm2: number): void {
-    const scale: Scale = { title: 'leak if it ends here', unit: 'mm²', from: 0, to: 2 * limit_mm2, stops: BALANCED }
+    const scale: Scale = { title: 'leak if placed here', unit: 'mm²', from: 0, to: 2 * limit_mm2, stops: BALANCED }
     const words = wordsOf(known, misses, limit_mm2)
     tellReadings({ tolerance: words })
     this.viewer.bubble(this.surface(misses, known, scale))
@@ -158,8 +158,8 @@ export class TolerancePanel {
     this.scale.replaceChildren(legend('leaflets', scale, []))
     const untrusted = known.samples.filter(({ leak_mm2 }) => leak_mm2 === null).length
     this.progress.textContent =
-      `${known.samples.length} closures${known.isDone ? '' : ', more to come'}.` +
-      (untrusted > 0 ? ` ${untrusted} of them cannot be trusted and are left out.` : '')
+      `${known.samples.length} closures${known.isDone ? '' : ', more in progress'}.` +
+      (untrusted > 0 ? ` ${untrusted} of them are unreliable and excluded.` : '')
     this.drawCurves(misses, known, limit_mm2)
   }
 
@@ -172,7 +172,7 @@ export class TolerancePanel {
     }
     this.chart = lineChart(
       {
-        title: 'Leak over the error',
+        title: 'Leak versus error of execution',
         summary,
         x: { label: 'error, mm', lowest: -UNITS * misses.unit.mm, highest: UNITS * misses.unit.mm },
         y: { label: 'leak, mm²' },
@@ -252,6 +252,6 @@ function curveWords({ label, x, y }: Series): string {
 function sentence({ margin, leak_off }: ToleranceWords, { unit }: Misses, limit_mm2: number): string {
   const limit = withUnit(limit_mm2, 'mm²', 0)
   return margin === null
-    ? `It leaks more than ${limit} as planned; ${unit.words} off, it leaks ${leak_off} at worst.`
-    : `The margin is ${margin} before it leaks more than ${limit}; ${unit.words} off, it leaks ${leak_off} at worst.`
+    ? `It leaks more than ${limit} as planned; with an error of ${unit.words}, the leak is at most ${leak_off}.`
+    : `The margin to a leak of ${limit} is ${margin}; with an error of ${unit.words}, the leak is at most ${leak_off}.`
 }

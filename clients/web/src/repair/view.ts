@@ -147,7 +147,8 @@ export class RepairView implements View {
     if (this.before.shown !== before) this.before.set(before, look)
     if (this.after.shown !== after || this.ringed !== ringed) this.after.set(after, look, ringed)
     this.ringed = ringed
-    this.afterTitle.textContent = problems.length > 0 ? 'Repair not closed: the valve is shown without it' : 'Repaired'
+    this.afterTitle.textContent =
+      problems.length > 0 ? 'The repaired valve could not be closed; the valve is shown without the repair' : 'Repaired'
     this.editor.update()
     this.kept.update()
     this.accept.disabled = this.save.button.disabled = this.workspace.after === null || !isAnswered
@@ -225,7 +226,7 @@ export class RepairView implements View {
   private async keep(): Promise<void> {
     try {
       const { kept, isNew } = await this.workspace.keep(`plan ${this.workspace.kept.length + 1}`)
-      this.said.textContent = isNew ? `Kept as “${kept.name}”.` : `This repair is kept already, as “${kept.name}”.`
+      this.said.textContent = isNew ? `Kept as “${kept.name}”.` : `This repair is already kept as “${kept.name}”.`
     } catch (error) {
       this.problems.replaceChildren(problemList(problemsOf(error)))
     }

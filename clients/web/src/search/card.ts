@@ -57,7 +57,7 @@ export function planCard(plan: RankedPlan, context: CardContext): HTMLElement {
     })
   const keep = async (): Promise<void> => {
     const { kept, isNew } = await workspace.keep(`Rank ${plan.rank}: ${inWords(plan)}`, plan.plan, await valveOf(job))
-    said.textContent = isNew ? 'Kept: see the list in the Repair view.' : `Kept before as “${kept.name}”.`
+    said.textContent = isNew ? 'Kept; see the list in the Repair view.' : `Already kept as “${kept.name}”.`
   }
 
   /// Its name tells the plan, for those who hear it alone.
@@ -108,7 +108,7 @@ export function planCard(plan: RankedPlan, context: CardContext): HTMLElement {
             ]
           : []),
         button('Plan (JSON)', () => saveJson(`${name}.json`, plan.plan)),
-        downloadButton('All figures (JSON)', path, `${name}-figures.json`, told),
+        downloadButton('All results (JSON)', path, `${name}-figures.json`, told),
       ),
       told,
     ),
@@ -120,7 +120,7 @@ function badges(plan: RankedPlan): HTMLElement[] {
   const badge = (tone: string, ...words: Child[]) => h('span', { class: `${parts.badge} ${parts[tone]}` }, ...words)
   return [
     isAcceptable(plan) ? badge('good', '✓ ', term('acceptable', 'acceptable')) : badge('warn', '! not acceptable'),
-    ...(plan.tie_with_next ? [badge('soft', '= ties with the next')] : []),
+    ...(plan.tie_with_next ? [badge('soft', '= equivalent to the next')] : []),
     ...(plan.pareto ? [badge('soft', term('pareto', 'Pareto'))] : []),
     ...(plan.beaten_by
       ? [badge('soft', `plan ${plan.beaten_by.rank} is better in ${plan.beaten_by.in.join(' and ')}`)]
@@ -131,11 +131,11 @@ function badges(plan: RankedPlan): HTMLElement[] {
 function figures(plan: RankedPlan): HTMLElement {
   const { measure } = plan
   const entries: [Child, string][] = [
-    [term('region', 'Leak over the region'), meanAndSd(plan.leak_mm2)],
-    ['Leak, 95 % below', withUnit(plan.leak_mm2.p95, 'mm²')],
+    [term('region', 'Leak with errors of execution'), meanAndSd(plan.leak_mm2)],
+    ['Leak, 95th percentile', withUnit(plan.leak_mm2.p95, 'mm²')],
     [term('leak', 'Leak as planned'), leakWords(measure)],
     ...(plan.under_draws
-      ? [['Leak as planned, model ±', meanAndSd(plan.under_draws.leak_mm2)] satisfies [Child, string]]
+      ? [['Leak as planned, tissue error', meanAndSd(plan.under_draws.leak_mm2)] satisfies [Child, string]]
       : []),
     ...(plan.fine
       ? [

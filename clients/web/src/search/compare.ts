@@ -20,7 +20,7 @@ export function comparison(a: RankedPlan, b: RankedPlan, all: RankedPlan[], cont
     'section',
     { class: `${parts.panel} ${searchStyle.comparison}`, 'aria-label': `Ranks ${a.rank} and ${b.rank} compared` },
     h('h2', { tabindex: -1 }, `Ranks ${a.rank} and ${b.rank} compared`),
-    tie && h('p', {}, h('strong', {}, tie), ' This holds for the search’s own order.'),
+    tie && h('p', {}, h('strong', {}, tie), ' This applies to the order of the search.'),
     h('div', { class: searchStyle.two }, side(a), side(b)),
     dataTable(
       'Figures of both plans',
@@ -46,7 +46,7 @@ function row(figure: Figure, a: RankedPlan, b: RankedPlan): Child[] {
     second: `rank ${b.rank}`,
     same: 'the same',
     within: `not a reliable difference: ${figure.blur?.why ?? ''}`,
-    unknown: 'not known',
+    unknown: 'unknown',
   }[verdict]
   return [figure.label, cell(a, verdict === 'first'), cell(b, verdict === 'second'), words]
 }

@@ -55,7 +55,7 @@ export function costSummary(series: Series[]): string {
     `Score ${number(cost, 2)} since ${grouped(since)} closures of ${grouped(closures)}.` +
     (other === undefined
       ? ''
-      : ` A random search is expected to have ${number(other, 2)} after ${grouped(random?.x.at(-1) ?? 0)}.`)
+      : ` A random search would be expected to reach ${number(other, 2)} after ${grouped(random?.x.at(-1) ?? 0)}.`)
   )
 }
 

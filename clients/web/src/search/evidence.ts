@@ -55,7 +55,7 @@ function maps(plan: RankedPlan): Child[] {
       h(
         'p',
         { class: parts.hint },
-        `If all that is done errs by itself (each muscle, the ring and its sutures, neochordae), the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
+        `With independent errors of each muscle, the ring and its sutures, and neochordae, the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
       ),
   ]
 }
@@ -66,7 +66,7 @@ function remodelling(plan: RankedPlan, signal: AbortSignal): Node[] {
   const ends = curves.map((curve) => `${curve.direction} ${number(curve.leak_mm2.at(-1))} mm²`).join('; ')
   const chart = lineChart(
     {
-      title: 'Leak if the ventricle remodels further',
+      title: 'Leak with further ventricular remodelling',
       summary: `Leak at the end of further remodelling: ${ends}.`,
       x: { label: 'further remodelling, mm' },
       y: { label: 'leak, mm²' },
@@ -91,10 +91,10 @@ function sobol(plan: RankedPlan): Node[] {
   const { first, total } = plan.sobol
   if (axes.every(([axis]) => total[axis] === null)) return []
   return [
-    h('h4', {}, 'Which error matters most'),
+    h('h4', {}, 'Sensitivity to errors of execution'),
     dataTable(
-      'Shares of the leak’s variance (Sobol indices)',
-      [{ label: 'error of' }, { label: 'alone', numeric: true }, { label: 'with interactions', numeric: true }],
+      'Sobol indices of the leak',
+      [{ label: 'error of' }, { label: 'alone', numeric: true }, { label: 'total', numeric: true }],
       axes.map(([axis, label]) => [label, percent(first[axis]), percent(total[axis])]),
     ),
   ]

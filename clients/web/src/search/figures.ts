@@ -22,21 +22,21 @@ export interface Figure {
 const oneClosure = { of: () => CLOSURE_MM2, why: `below the ${CLOSURE_MM2} mm² accuracy of one closure` }
 const spread = {
   of: (a: RankedPlan, b: RankedPlan) => Math.max(a.leak_mm2.sd ?? 0, b.leak_mm2.sd ?? 0),
-  why: 'within the spread over the region',
+  why: 'within the spread due to errors of execution',
 }
 
 export const FIGURES: Figure[] = [
   {
-    label: 'Leak over the region, mean',
+    label: 'Leak with errors of execution, mean',
     unit: 'mm²',
     digits: 2,
     value: (p) => p.leak_mm2.mean,
     better: 'lower',
     blur: spread,
   },
-  { label: 'Leak over the region, sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
+  { label: 'Leak with errors of execution, sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
   {
-    label: 'Leak over the region, 95th percentile',
+    label: 'Leak with errors of execution, 95th percentile',
     unit: 'mm²',
     digits: 1,
     value: (p) => p.leak_mm2.p95,
@@ -44,7 +44,7 @@ export const FIGURES: Figure[] = [
     blur: oneClosure,
   },
   {
-    label: 'Leak over the region, worst',
+    label: 'Leak with errors of execution, worst',
     unit: 'mm²',
     digits: 1,
     value: (p) => p.leak_mm2.worst,
@@ -91,7 +91,7 @@ export const FIGURES: Figure[] = [
   },
   { label: 'Highest chordal tension', unit: 'N', digits: 2, value: (p) => p.measure.tension_max_n, better: 'lower' },
   {
-    label: 'Largest papillary movement',
+    label: 'Largest papillary displacement',
     unit: 'mm',
     digits: 1,
     value: (p) => Math.max(p.anterolateral_movement_mm, p.posteromedial_movement_mm),
@@ -109,7 +109,7 @@ export const FIGURES: Figure[] = [
   },
   { label: 'Mean gradient at rest', unit: 'mmHg', digits: 1, value: (p) => p.gradient_mmhg ?? null, better: 'lower' },
   {
-    label: 'Further disease until it leaks 5 mm²',
+    label: 'Reserve against progression',
     unit: 'mm',
     digits: 1,
     value: (p) => p.durability_mm ?? null,
@@ -145,11 +145,11 @@ export function judge(figure: Figure, a: RankedPlan, b: RankedPlan): Verdict {
 
 /// "0.3 ± 0.2", "not known".
 export function meanAndSdCell({ mean, sd }: { mean: number | null; sd: number | null }): string {
-  return mean === null ? 'not known' : `${number(mean)} ± ${number(sd)}`
+  return mean === null ? 'unknown' : `${number(mean)} ± ${number(sd)}`
 }
 
 export function meanAndSd(statistics: { mean: number | null; sd: number | null }): string {
-  return statistics.mean === null ? 'not known' : `${meanAndSdCell(statistics)} mm²`
+  return statistics.mean === null ? 'unknown' : `${meanAndSdCell(statistics)} mm²`
 }
 
 /// "suture more than 1.00 mm, angle more than 5.0°".
@@ -157,7 +157,7 @@ export function marginWords(plan: RankedPlan): string {
   const { suture_length_mm, angle_deg } = plan.margin_to_leak
   const part = (value: number | null, farthest: number, unit: string, digits: number) =>
     `${value !== null && value >= farthest ? 'more than ' : ''}${withDegrees(value, unit, digits)}`
-  if (suture_length_mm === null && angle_deg === null) return 'not known (too few region points)'
+  if (suture_length_mm === null && angle_deg === null) return 'unknown (too few region points)'
   return `${lengthName(plan)} ${part(suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(angle_deg, FARTHEST.angle_deg, '°', 1)}`
 }
 
@@ -189,10 +189,13 @@ export function inWords(plan: { description: string[] }): string {
 export function doubts(plan: RankedPlan): string[] {
   const found: string[] = []
   if (plan.status !== 'converged') found.push(`The closure did not converge (${plan.status.replace('_', ' ')}).`)
-  if (plan.crossing) found.push('Leaflets pass through each other.')
+  if (plan.crossing) found.push('The leaflets cross.')
   if (plan.region_failures > 0)
-    found.push(`${plan.region_failures} of ${plan.region_closures} closures over the region failed and are left out.`)
-  if (plan.region_closures < 2) found.push('The region was not closed: mean, sd and margin are not known.')
+    found.push(
+      `${plan.region_failures} of ${plan.region_closures} closures with errors of execution failed and are excluded.`,
+    )
+  if (plan.region_closures < 2)
+    found.push('The plan was not closed with errors of execution, so mean, sd and margin are unknown.')
   return found
 }
 
@@ -200,9 +203,9 @@ export function doubts(plan: RankedPlan): string[] {
 export function tieWords(a: RankedPlan, b: RankedPlan, all: RankedPlan[]): string | null {
   const between = all.filter((plan) => plan.rank >= a.rank && plan.rank < b.rank)
   if (between.length === 0) return null
-  if (between.every((plan) => plan.tie_with_next)) return `Plans ${a.rank} and ${b.rank} cannot be told apart.`
+  if (between.every((plan) => plan.tie_with_next)) return `Plans ${a.rank} and ${b.rank} are equivalent.`
   const ahead = between.length === 1 ? a.probability_outranks_next : null
   return ahead === null
     ? null
-    : `Plan ${a.rank} is rightly before plan ${b.rank} with a probability of ${number(100 * ahead, 0)} %.`
+    : `Plan ${a.rank} is better than plan ${b.rank} with a probability of ${number(100 * ahead, 0)} %.`
 }

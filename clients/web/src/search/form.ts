@@ -87,7 +87,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
     h('h2', {}, 'Search for repairs of ', valve),
     h('div', { class: parts.row }, go, button('Defaults', reset, { class: parts.quiet })),
     rest,
-    group('Available rings', shelf, slot('/rules/forbidden', 'The choice of techniques')),
+    group('Available rings', shelf, slot('/rules/forbidden', 'Techniques')),
     group(
       'Sutures and chordae',
       field('Papillary sutures', muscles),
@@ -95,10 +95,10 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       ...options.STEPS_ON_REQUEST.map(switchField),
     ),
     group(
-      'Time and answer',
+      'Time and results',
       ...options.ANSWER.map(numberField),
       check(keeps, fixed),
-      slot('/rules/fixed', 'The steps tried by hand'),
+      slot('/rules/fixed', 'Steps of the manual repair'),
     ),
     folded(
       'Limits of the steps',
@@ -109,7 +109,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
     folded('Optimiser', ...options.OPTIMISER.map(numberField), switchField(options.EVIDENCE)),
     folded(
       'Weights of the cost',
-      h('p', { class: parts.hint }, 'Plans are ranked by their cost. Each weight is a price in mm² of leak.'),
+      h('p', { class: parts.hint }, 'Plans are ranked by their cost. Weights are in mm² of leak.'),
       ...options.WEIGHTS.map(numberField),
     ),
   )
@@ -163,8 +163,8 @@ export function searchForm(start: (search: Asked) => void): JobForm {
       if (count === 0) fixed.checked = false
       keeps.textContent =
         count === 0
-          ? 'Keep the steps tried by hand (none yet)'
-          : `Keep the ${count === 1 ? 'step' : `${count} steps`} tried by hand in every plan`
+          ? 'Include the steps of the manual repair (none yet)'
+          : `Keep the ${count === 1 ? 'step' : `${count} steps`} of the manual repair in every plan`
     },
     complain,
     busy(is) {

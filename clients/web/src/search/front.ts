@@ -32,7 +32,7 @@ export function unrankedPoints(result: Plans): ScatterPoint[] {
     const trade = tradeOfFront(plan)
     const place = placeOf(trade)
     if (isRanked || !place) return []
-    const words = `Plan ${name}: ${tradeInWords(trade)}, on the Pareto front. Not ranked: closed at ${plan.nodes} region points only.`
+    const words = `Plan ${name}: ${tradeInWords(trade)}, Pareto-optimal. Not ranked, because it was closed at only ${plan.nodes} region points.`
     return [{ ...place, name, words, isRinged: true, isSmall: true }]
   })
 }
@@ -41,7 +41,7 @@ const FIGURES: [label: string, unit: string][] = [
   ['Leak', 'mean, mm²'],
   ['sd', 'mm²'],
   ['Opening', 'cm²'],
-  ['Outlasts', 'disease, mm'],
+  ['Reserve', 'mm'],
   ['Cost', 'mm²'],
   ['Steps', ''],
   ['Undersized', 'ring sizes'],
@@ -79,7 +79,7 @@ export function frontTable(result: Plans): HTMLElement {
     h(
       'p',
       { class: parts.hint },
-      'Of the plans tried, those that no other beats in leak (mean + sd), opening in diastole and durability at once, best by the weights first. A number is the rank of a plan; a letter names one that is not ranked.',
+      'Pareto-optimal plans (leak, diastolic opening, reserve against progression), sorted by weighted cost. A number is the rank of a plan; a letter denotes an unranked plan.',
     ),
     h('div', { class: searchStyle.ranked }, table),
   )

@@ -66,9 +66,9 @@ function valueAt(search: object, pointer: string): unknown {
   return names.reduce<unknown>((at, name) => (at as Record<string, unknown> | undefined)?.[name], search)
 }
 
-/// "annuloplasty:own" -> "own-shape ring"
+/// "annuloplasty:own" -> "annulus-shaped ring"
 function kindInShort(word: string): string {
-  if (word === 'annuloplasty:own') return 'own-shape ring'
+  if (word === 'annuloplasty:own') return 'annulus-shaped ring'
   const kind = word.replace(/^.*:/, '').replaceAll('_', ' ')
   return word.startsWith('papillary')
     ? `suture to ${kind}`

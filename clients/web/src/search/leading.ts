@@ -16,7 +16,7 @@ export interface Leading {
 }
 
 export function leadingPlan(photos: Photos): Leading {
-  const words = h('p', { class: searchStyle.leads }, 'None yet: it appears once plans are scored.')
+  const words = h('p', { class: searchStyle.leads }, 'No plan yet. The best plan appears here once plans are scored.')
   const figures = h('dl', { class: parts.figures })
   const after = h('div', {})
   const both = h(

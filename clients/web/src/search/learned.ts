@@ -23,10 +23,10 @@ export function learnedBoard(own: Weights, ordered: (learned: Partial<Weights> |
   const element = h(
     'div',
     { class: searchStyle.learned, 'data-part': 'learned', hidden: true },
-    h('h3', {}, 'What was learned'),
+    h('h3', {}, 'Learned weights'),
     said,
-    h('label', { class: parts.check }, tick, 'Order the plans by what was learned'),
-    h('p', { class: parts.hint }, 'Whether a plan is acceptable and opens far enough still comes first.'),
+    h('label', { class: parts.check }, tick, 'Rank plans by the learned weights'),
+    h('p', { class: parts.hint }, 'Acceptable plans that open far enough still come first.'),
     h(
       'div',
       { class: parts.row },
@@ -49,10 +49,10 @@ export function learnedBoard(own: Weights, ordered: (learned: Partial<Weights> |
     said.replaceChildren(
       rows.length > 0
         ? dataTable(
-            'Weights that the answers speak of',
+            'Weights constrained by the answers',
             [
               { label: 'Weight', sentences: true },
-              { label: 'Today', numeric: true },
+              { label: 'Default', numeric: true },
               { label: 'Learned', numeric: true },
               { label: 'Factor', numeric: true },
             ],
@@ -63,7 +63,7 @@ export function learnedBoard(own: Weights, ordered: (learned: Partial<Weights> |
               own > 0 ? `× ${number(learned / own, 2)}` : '',
             ]),
           )
-        : h('p', {}, 'No weight is known better than before; some ten answers are usual.'),
+        : h('p', {}, 'Your answers have not narrowed any weight yet; about ten are usually needed.'),
     )
     if (wasOrdered) order()
   }

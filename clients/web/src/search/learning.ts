@@ -33,11 +33,11 @@ export function learning(
   const status = h('p', { role: 'status', 'data-part': 'standing' })
   const told = h('div', {})
   const hide = h('input', { type: 'checkbox', onchange: () => question.hideFigures(hide.checked) })
-  const back = button('Take back the last answer', () => void go(answers.slice(0, -1)))
+  const back = button('Undo the last answer', () => void go(answers.slice(0, -1)))
   const anew = button('Start again', () => void go([]))
   const controls = h(
     'fieldset', // disabled as a whole
-    { class: searchStyle.learning, 'aria-label': 'Plans two by two' },
+    { class: searchStyle.learning, 'aria-label': 'Pairwise comparison of plans' },
     h('label', { class: parts.check }, hide, 'Hide figures'),
     question.element,
     h('div', { class: parts.row }, back, anew),
@@ -73,11 +73,11 @@ export function learning(
   const details = h(
     'details',
     { class: parts.more },
-    h('summary', {}, 'Which would you rather do? Compare plans two by two'),
+    h('summary', {}, 'Compare plans in pairs to learn your preferences'),
     h(
       'p',
       { class: parts.hint },
-      'Your answers say what leak, opening, durability and the operation are worth to you. They stay in this browser.',
+      'Your answers determine the weights of leak, opening, reserve and operative effort. They are stored only in this browser.',
     ),
     status,
     controls,
@@ -89,7 +89,7 @@ export function learning(
   })
   return h(
     'section',
-    { class: parts.panel, 'data-part': 'learning', 'aria-label': 'Which would you rather do?' },
+    { class: parts.panel, 'data-part': 'learning', 'aria-label': 'Which plan do you prefer?' },
     details,
   )
 }
@@ -100,6 +100,6 @@ function isOlderService(error: unknown): boolean {
 
 function refusal(error: unknown): Problem[] {
   if (!isOlderService(error)) return problemsOf(error)
-  const message = 'This service cannot learn preferences: it is older than this page.'
+  const message = 'This service cannot learn preferences because it is older than this page.'
   return [{ code: 'failed', path: '', message }]
 }

@@ -23,14 +23,14 @@ export const ANSWER: NumberOption[] = [
     most: 1_000_000,
     step: 0.1,
     fallback: null,
-    hint: '60 % of it for searching, 40 % for checking what was found.',
+    hint: '60 % of the time is used for searching and 40 % for checking the plans found.',
   },
   { pointer: '/plans', label: 'Plans to show', least: 1, most: 50, step: INTEGER, fallback: 5 },
 ]
 
 export const NEOCHORDAE: NumberOption = {
   pointer: '/rules/most_neochordae',
-  label: 'Most neochordae',
+  label: 'Maximum number of neochordae',
   least: 0,
   most: 4,
   step: INTEGER,
@@ -40,7 +40,7 @@ export const NEOCHORDAE: NumberOption = {
 export const LIMITS: NumberOption[] = [
   {
     pointer: '/rules/most_movement_mm',
-    label: 'Most papillary movement',
+    label: 'Maximum papillary displacement',
     unit: 'mm',
     least: 3,
     most: 15,
@@ -76,7 +76,7 @@ export const OPTIMISER: NumberOption[] = [
     most: 1_000_000,
     step: INTEGER,
     fallback: 2000,
-    hint: 'For the search itself; ranking takes more.',
+    hint: 'For the search itself; ranking needs more.',
   },
   {
     pointer: '/region_points',
@@ -85,7 +85,7 @@ export const OPTIMISER: NumberOption[] = [
     most: 1089,
     step: INTEGER,
     fallback: 1089,
-    hint: 'Small errors of execution with which each ranked plan is closed, out of 1,089.',
+    hint: 'Number of errors of execution with which each ranked plan is closed, out of 1,089.',
   },
   {
     pointer: '/fine_levels',
@@ -95,16 +95,16 @@ export const OPTIMISER: NumberOption[] = [
     most: 2,
     step: INTEGER,
     fallback: 1,
-    hint: 'For the verdict on each ranked plan: it is closed once more, as planned, on a finer mesh.',
+    hint: 'For the final check, each ranked plan is closed once more, as planned, on a finer mesh.',
   },
   {
     pointer: '/model_draws',
-    label: 'Draws of the model',
+    label: 'Tissue variants',
     least: 0,
     most: 200,
     step: INTEGER,
     fallback: 8,
-    hint: 'Tissue and chordae vary within what their sources allow: a rank that does not survive is called a tie.',
+    hint: 'Tissue and chordae vary within the ranges of their sources; plans that the variants do not separate are equivalent.',
   },
   {
     pointer: '/seed',
@@ -133,7 +133,7 @@ export const OPTIMISER: NumberOption[] = [
     most: 1_000_000,
     step: 0.1,
     fallback: null,
-    hint: 'The search stops at a plan with this mean + sd of the leak.',
+    hint: 'The search stops once a plan has this leak (mean + sd) or less.',
   },
 ]
 
@@ -154,16 +154,16 @@ export const WEIGHTS: NumberOption[] = [
   weight('margin', 'No margin to leak', 1),
   weight('coaptation', 'Coaptation below 8 mm, per mm', 0.5),
   weight('gap', 'Distance between leaflets, per mm', 2),
-  weight('movement', 'Papillary movement, per mm', 0.2),
-  weight('movement_above_10', 'Movement above 10 mm, extra per mm', 1),
+  weight('movement', 'Papillary displacement, per mm', 0.2),
+  weight('movement_above_10', 'Displacement above 10 mm, extra per mm', 1),
   weight('undersizing', 'Undersizing, per ring size', 0.5),
   weight('undersizing_above_4', 'Above 4 sizes, extra per size', 2),
   weight('gradient_above_3', 'Mean gradient above 3 mmHg, per mmHg', 2),
   weight('gradient_above_5', 'Above 5 mmHg, extra per mmHg', 10),
-  weight('durability', 'Further disease not outlasted, per mm of 12', 0.25),
+  weight('durability', 'Reserve against progression below 12 mm, per mm', 0.25),
   weight('step', 'Each step of the operation', 1),
-  weight('tension', 'Chordal tension above that before repair, per N', 1),
-  weight('untrusted', 'Share of failed closures', 10_000),
+  weight('tension', 'Increase of chordal tension, per N', 1),
+  weight('untrusted', 'Fraction of failed closures', 10_000),
 ]
 
 export interface Switch {
@@ -177,11 +177,11 @@ export const EVIDENCE: Switch = {
   pointer: '/evidence',
   label: 'Evidence',
   fallback: true,
-  hint: 'Closes ranked plans also with errors of single sutures and with further remodelling.',
+  hint: 'Also close ranked plans with errors of single sutures and with further remodelling.',
 }
 
 export const STEPS_ON_REQUEST: Switch[] = [
-  { pointer: '/rules/own_ring', label: 'Rings of the own shape', fallback: false },
+  { pointer: '/rules/own_ring', label: 'Rings in the shape of the annulus', fallback: false },
   { pointer: '/rules/chordal_length_change', label: 'Shorten chordae', fallback: false },
   { pointer: '/rules/chordal_excision', label: 'Cut strut chordae', fallback: false },
   { pointer: '/rules/chordal_transfer', label: 'Transfer chordae', fallback: false },
@@ -209,7 +209,7 @@ export interface Kind {
 
 export function ringKinds(rings: { name: string; note: string }[]): Kind[] {
   return [
-    { word: 'annuloplasty:own', label: 'the annulus’s own shape' },
+    { word: 'annuloplasty:own', label: 'the shape of the annulus' },
     ...rings.map(({ name, note }) => ({
       word: `annuloplasty:${name}`,
       label: name,

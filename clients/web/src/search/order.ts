@@ -31,17 +31,17 @@ const STATEMENTS: Statement[] = [
     holds: ({ gates }) => !gates.some(({ rule, severity }) => severity === 'reject' && !OF_CLOSURE.includes(rule)),
     not: 'a rule of practice rejects it',
   },
-  { holds: passes('convergence', 'crossing'), not: 'its closure as planned is not to be trusted' },
+  { holds: passes('convergence', 'crossing'), not: 'its planned closure is unreliable' },
   {
     holds: ({ region_failures, region_closures }) => region_failures <= OFTEN_FAILING * region_closures,
-    not: 'more than a twentieth of its closures over the region failed',
+    not: 'more than 5 % of its closures with errors of execution failed',
   },
   { holds: passes('opening_area'), not: 'it opens to less than 1.5 cm²' },
   { holds: isAcceptable, not: 'it is not acceptable' },
   {
     holds: (plan) =>
       !isAcceptable(plan) || !plan.gates.some(({ rule, severity }) => severity === 'warn' && AVOIDABLE.includes(rule)),
-    not: 'it has a warning that others avoid',
+    not: 'it has a warning that other plans avoid',
   },
 ]
 
@@ -66,7 +66,7 @@ export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): R
 
 const isSame = (a: Weights, b: Weights): boolean => JSON.stringify(a) === JSON.stringify(b)
 
-/// Why the first of `order` stands before the second, by the prices wanted: "Plan 1 stands first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
+/// Why the first of `order` stands before the second, by the prices wanted: "Plan 1 ranks first with a cost of 2.90 mm²; plan 2 has 3.37: 0.52
 /// more for undersizing." Null where there is no second, or a cost is not known.
 export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wanted): string | null {
   const [first, second] = order
@@ -74,7 +74,7 @@ export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wan
   const [cost, other] = [costOf(first, own, weights), costOf(second, own, weights)]
   if (cost === null || other === null) return null
   const plan = by === '' ? 'Plan' : `By ${by} plan`
-  const costs = `${plan} ${first.rank} stands first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
+  const costs = `${plan} ${first.rank} ranks first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
   const decisive = STATEMENTS.find(({ holds }) => holds(first) && !holds(second))
   if (decisive) return `${costs}, ${other < cost ? 'but' : 'and'} ${decisive.not}.`
   return `${costs}${differences(first, second, weights)}.`
@@ -89,5 +89,5 @@ function differences(first: RankedPlan, second: RankedPlan, weights: Weights): s
     .slice(0, TOLD)
     .map(({ name, more }) => `${number(Math.abs(more), 2)} ${more > 0 ? 'more' : 'less'} for ${name}`)
   if (found.length > 0) return `: ${joined(found)}`
-  return items.length > 0 ? ', with nearly the same prices' : ''
+  return items.length > 0 ? ', with nearly equal terms' : ''
 }

@@ -30,7 +30,7 @@ let studio: Promise<Viewer> | null = null
 
 async function openStudio(): Promise<Viewer> {
   const { Viewer } = await import('../viewer/viewer')
-  const viewer = new Viewer('The valve of which pictures are taken')
+  const viewer = new Viewer('The valve shown in the pictures')
   document.body.append(h('div', { class: searchStyle.studio, inert: true }, viewer.element))
   await new Promise((laidOut) => requestAnimationFrame(() => requestAnimationFrame(laidOut)))
   return viewer

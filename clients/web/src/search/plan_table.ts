@@ -20,14 +20,14 @@ export interface PlanTable {
 const columns = (): [label: Child, unit: string][] => [
   [term('cost', 'Cost'), 'mm²'],
   [term('region', 'Leak'), 'mean ± sd, mm²'],
-  ['95 % below', 'mm²'],
+  ['95th percentile', 'mm²'],
   [term('opening', 'Opening'), 'cm²'],
-  [term('durability', 'Outlasts'), 'disease, mm'],
+  [term('durability', 'Reserve'), 'mm'],
   [term('coaptation', 'Coaptation'), 'mean (min), mm'],
   [term('tension', 'Tension'), 'N'],
   ['Steps', ''],
   ['Undersized', 'sizes'],
-  ['Muscles moved', 'AL / PM, mm'],
+  ['Displacement', 'AL / PM, mm'],
 ]
 
 export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => string): PlanTable {
@@ -119,7 +119,7 @@ function rankCell(plan: RankedPlan, id: string, box: HTMLInputElement, note: HTM
 
 /// Ties are of the search's own order.
 function tieNote(plan: RankedPlan): string[] {
-  return plan.tie_with_next ? [`ties with ${plan.rank + 1}`] : []
+  return plan.tie_with_next ? [`equivalent to ${plan.rank + 1}`] : []
 }
 
 function moved(from: number, to: number): Node[] {

@@ -49,5 +49,5 @@ export function standing({ first_places, learned }: Preference): string {
   const [first] = first_places
   if (learned.answers === 0 || !first) return 'No question answered yet.'
   const count = learned.answers === 1 ? '1 question' : `${learned.answers} questions`
-  return `${count} answered. Plan ${first.rank} is most likely the one that you would prefer to all others (probability ${percent(first.probability)}).`
+  return `${count} answered. Plan ${first.rank} is most likely your preferred plan (probability ${percent(first.probability)}).`
 }

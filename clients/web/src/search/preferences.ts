@@ -12,8 +12,8 @@ const ALIKE_MM2 = 0.005 // as shown
 const OBJECTIVES: { objective: Objective; label: string; prices: string }[] = [
   { objective: 'leak', label: 'Leak', prices: 'leak, margin, coaptation, distance, tension' },
   { objective: 'opening', label: 'Opening', prices: 'mean gradient above 3 mmHg' },
-  { objective: 'durability', label: 'Durability', prices: 'further disease not outlasted' },
-  { objective: 'operation', label: 'Operation', prices: 'steps, undersizing, papillary movement' },
+  { objective: 'durability', label: 'Reserve', prices: 'reserve against progression' },
+  { objective: 'operation', label: 'Operation', prices: 'steps, undersizing, papillary displacement' },
 ]
 
 /// `changed` hears of every move.
@@ -35,7 +35,7 @@ export function preferences(plans: RankedPlan[], weights: Weights, changed: (fac
       input.setAttribute('aria-valuetext', `times ${factor()}`)
     }
     tell()
-    const same = isAlike(plans, weights, objective) && h('small', {}, 'The same for all these plans.')
+    const same = isAlike(plans, weights, objective) && h('small', {}, 'The same for all plans.')
     const element = h(
       'div',
       {},
@@ -67,7 +67,7 @@ export function preferences(plans: RankedPlan[], weights: Weights, changed: (fac
     h(
       'p',
       { class: parts.hint },
-      'Each slider multiplies the prices of its kind in the cost, without a new search: × 1 is as searched. Whether a plan is acceptable and opens far enough still comes first.',
+      'Each slider scales a group of cost weights without a new search; × 1 is the setting of the search. Acceptable plans that open far enough still come first.',
     ),
     h('div', { class: searchStyle.sliders }, ...sliders.map(({ element }) => element)),
   )

@@ -24,15 +24,15 @@ export interface PriceItem {
 const ITEMS: { name: string; objective: Objective | null; terms: (keyof CostTerms)[] }[] = [
   { name: 'leak', objective: 'leak', terms: ['leak', 'incompetence'] },
   { name: 'margin to leak', objective: 'leak', terms: ['margin'] },
-  { name: 'too little coaptation', objective: 'leak', terms: ['coaptation'] },
+  { name: 'low coaptation', objective: 'leak', terms: ['coaptation'] },
   { name: 'distance between the leaflets', objective: 'leak', terms: ['gap'] },
   { name: 'chordal tension', objective: 'leak', terms: ['tension'] },
-  { name: 'gradient in diastole', objective: 'opening', terms: ['gradient_above_3', 'gradient_above_5'] },
-  { name: 'disease not outlasted', objective: 'durability', terms: ['durability'] },
+  { name: 'diastolic gradient', objective: 'opening', terms: ['gradient_above_3', 'gradient_above_5'] },
+  { name: 'reserve against progression', objective: 'durability', terms: ['durability'] },
   { name: 'steps', objective: 'operation', terms: ['step'] },
   { name: 'undersizing', objective: 'operation', terms: ['undersizing', 'undersizing_above_4'] },
-  { name: 'papillary movement', objective: 'operation', terms: ['movement', 'movement_above_10'] },
-  { name: 'closures that failed', objective: null, terms: ['untrusted'] },
+  { name: 'papillary displacement', objective: 'operation', terms: ['movement', 'movement_above_10'] },
+  { name: 'failed closures', objective: null, terms: ['untrusted'] },
 ]
 
 /// Those of the search, or the learned ones, times the factors; `untrusted` and `sd_share` remain the search's.

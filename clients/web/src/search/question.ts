@@ -7,7 +7,7 @@ import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
 /// As the service's own question has them.
-const SHOWN = ['Leak over the region, mean', 'Opening in diastole', 'Further disease until it leaks 5 mm²']
+const SHOWN = ['Leak with errors of execution, mean', 'Opening in diastole', 'Reserve against progression']
 
 export interface QuestionBoard {
   element: HTMLElement
@@ -37,7 +37,9 @@ export function questionBoard(
   function show(question: Preference['question']): void {
     const [first, second] = [question?.first, question?.second].map((rank) => plans.find((plan) => plan.rank === rank))
     heading.textContent =
-      first && second ? `Plan ${first.rank} or plan ${second.rank}?` : 'No question is left: every pair was asked.'
+      first && second
+        ? `Plan ${first.rank} or plan ${second.rank}?`
+        : 'No question is left; all pairs have been compared.'
     figures = []
     board.replaceChildren()
     if (!question || !first || !second) return
@@ -45,7 +47,7 @@ export function questionBoard(
       answered({ case: question.case, first: question.first, second: question.second, answer })
     board.append(
       side(first, give('first')),
-      h('div', { class: searchStyle.between }, button('Cannot tell', give('unable'))),
+      h('div', { class: searchStyle.between }, button('Cannot decide', give('unable'))),
       side(second, give('second')),
     )
     hideFigures(areHidden)
@@ -101,6 +103,9 @@ function drawPictures(plan: RankedPlan, context: CardContext): HTMLElement {
       'Open in diastole',
       photos.photo(plan.plan, `The valve open in diastole, seen from the atrium ${of}`, 'open'),
     ),
-    named('Closed, cut in the middle', photos.section(plan.plan, `The closed valve cut across its middle ${of}`)),
+    named(
+      'Closed, mid-valve section',
+      photos.section(plan.plan, `Section through the middle of the closed valve ${of}`),
+    ),
   )
 }

@@ -21,7 +21,7 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
       h(
         'p',
         { class: parts.panel },
-        'No plan was ranked: the search ended before it found one, or every plan breaks a rule.',
+        'No plan was ranked because the search ended before it found one, or every plan violates a rule.',
       ),
       ...(result.pareto_front.length > 0 ? [tradeOff(result, context.signal)] : []),
     ]
@@ -34,7 +34,7 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
   let factors = AS_SEARCHED // by the sliders
   let learned: Partial<Weights> | null = null // where the reader wants them
   function arrange(): void {
-    const sources = [learned && 'what was learned', !isAsSearched(factors) && 'your weights']
+    const sources = [learned && 'the learned weights', !isAsSearched(factors) && 'your weights']
     const by = sources.filter((source) => typeof source === 'string').join(' and ')
     const wanted: Wanted = { weights: wantedWeights(own, factors, learned ?? {}), by }
     const arranged = reordered(plans, own, wanted.weights)
@@ -47,7 +47,7 @@ export function ranked(result: SearchResult, context: CardContext): HTMLElement[
   }
 
   order.textContent =
-    'Plans keep the rank of the search as their name, here, in the chart and below. Ties are known for the search’s own order only.'
+    'Plans are named by their rank in the search, also in the chart and below. Equivalence is known only for the order of the search.'
   arrange()
   const compared = h('div', { 'aria-live': 'polite' })
   compareTicked(plans, table.boxes, compared, context)
@@ -105,7 +105,9 @@ function compareTicked(
     if (a && b) compared.replaceChildren(comparison(a, b, plans, context))
     else
       compared.replaceChildren(
-        ...(a ? [h('p', { class: parts.panel }, `Rank ${a.rank} is chosen: choose another to compare it with.`)] : []),
+        ...(a
+          ? [h('p', { class: parts.panel }, `Rank ${a.rank} is selected; select another plan to compare it with.`)]
+          : []),
       )
     if (a && b) compared.scrollIntoView({ block: 'start' })
   }

@@ -17,11 +17,11 @@ import searchStyle from './search.module.css'
 
 const STOPS: Record<string, string> = {
   evaluation_limit: 'The search used all its closures.',
-  exhausted: 'No plan was left that was worth trying.',
-  no_improvement: 'The search found no better plan within the set number of closures.',
+  exhausted: 'No plan was left to try.',
+  no_improvement: 'The search found no better plan within the given number of closures.',
   target_reached: 'A plan reached the target.',
   time_limit: 'The search reached its time limit.',
-  cancelled: 'The search was cancelled; this is the best so far.',
+  cancelled: 'The search was cancelled; these are the best plans so far.',
 }
 
 export function searchResults(result: SearchResult, context: CardContext): HTMLElement {
@@ -52,13 +52,13 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
         'p',
         {},
         h('span', { class: `${parts.badge} ${parts.good}` }, '✓'),
-        ' At least one plan is acceptable: it leaves at most a mild leak, errors of execution, tissue and mesh included.',
+        ' At least one plan is acceptable: it leaks less than 5 mm², including the errors of execution, tissue and mesh.',
       )
     : h(
         'p',
         {},
         h('span', { class: `${parts.badge} ${parts.warn}` }, '!'),
-        ' No plan is acceptable: none is known to leave at most a mild leak, errors of execution, tissue and mesh included.',
+        ' No plan is acceptable: none is known to leak less than 5 mm², including the errors of execution, tissue and mesh.',
       )
   return h(
     'section',
@@ -66,9 +66,8 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
     result.diagnosis && h('p', { 'data-part': 'diagnosis' }, result.diagnosis.sentence),
     verdict,
     before.status !== 'converged' &&
-      h('p', { class: parts.warn }, 'The closure before repair did not converge: do not trust its figures.'),
-    before.crossing &&
-      h('p', { class: parts.warn }, 'Before repair, leaflets pass through each other: do not trust the figures.'),
+      h('p', { class: parts.warn }, 'The closure before repair did not converge; its results are unreliable.'),
+    before.crossing && h('p', { class: parts.warn }, 'Before repair the leaflets cross; the results are unreliable.'),
     h(
       'div',
       { class: searchStyle.overview },
@@ -81,7 +80,7 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
           { class: parts.figures },
           ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
         ),
-        h('p', { class: parts.hint }, `Asked: ${asked}. ${STOPS[result.stop] ?? result.stop}`),
+        h('p', { class: parts.hint }, `Request: ${asked}. ${STOPS[result.stop] ?? result.stop}`),
       ),
     ),
     h(
@@ -105,9 +104,9 @@ function rest(result: SearchResult, context: CardContext): HTMLElement[] {
   if (result.cut.length > 0)
     sections.push(
       listed(
-        'What was left out',
+        'Techniques not considered',
         dataTable(
-          'What was left out',
+          'Techniques not considered',
           [{ label: 'what' }, { label: 'why', sentences: true }],
           result.cut.map(({ what, why }) => [what, why]),
         ),

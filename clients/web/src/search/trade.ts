@@ -41,7 +41,7 @@ export function tradeInWords({ leak_mm2, opening_mm2, durability_mm }: Trade): s
   return [
     `leak ${withUnit(leak_mm2, 'mm²')} (mean + sd)`,
     `opening ${cm2(opening_mm2)}`,
-    ...(durability_mm === null ? [] : [`outlasts ${outlasted(durability_mm)} of further disease`]),
+    ...(durability_mm === null ? [] : [`reserve ${outlasted(durability_mm)}`]),
   ].join(', ')
 }
 

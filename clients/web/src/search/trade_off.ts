@@ -14,7 +14,7 @@ import parts from '../style/parts.module.css'
 const COMPETENT_MM2 = 1
 const STENOSIS_MM2 = 150
 const GOOD_REPAIR_MM2 = 5 // search/plans/objective.h
-const TITLE = 'Leak against opening in diastole'
+const TITLE = 'Leak versus diastolic opening'
 
 export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement {
   const ranked = rankedPoints(result.plans)
@@ -25,7 +25,7 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
         title: TITLE,
         summary: tradeSummary(result),
         x: {
-          label: 'leak over the region, mean + sd, mm²',
+          label: 'leak with errors of execution, mean + sd, mm²',
           least: 1.2 * COMPETENT_MM2,
           most: Math.max(GOOD_REPAIR_MM2, ...ranked.map(({ x }) => x)),
           limit: { value: COMPETENT_MM2, label: 'from 1 mm²: mild' },
@@ -37,11 +37,11 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
         },
         points: tradePoints(result),
         legend: {
-          title: 'Outlasts further disease of',
+          title: 'Reserve against progression',
           levels: Array.from({ length: LEVELS }, (_, i) => `${i * LEVEL_MM} to ${(i + 1) * LEVEL_MM} mm`),
-          unknown: 'not known',
+          unknown: 'unknown',
           ringed: 'Pareto-optimal among ranked plans',
-          small: 'A, B, …: on the Pareto front, not ranked',
+          small: 'A, B, …: Pareto-optimal, not ranked',
           aside: 'before repair',
         },
         table: () => tradeTable(result),
@@ -50,8 +50,8 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
     )
   return h(
     'section',
-    { class: parts.panel, 'aria-label': 'What the plans trade', 'data-part': 'trade-off' },
-    h('h2', {}, 'What the plans trade'),
+    { class: parts.panel, 'aria-label': 'Trade-offs', 'data-part': 'trade-off' },
+    h('h2', {}, 'Trade-offs'),
     chart,
     chart && h('p', { class: parts.hint }, tradeSummary(result)),
     ...lacking(result.plans).map((words) => h('p', { class: parts.hint }, words)),
@@ -71,7 +71,7 @@ export function tradePoints(result: SearchResult): ScatterPoint[] {
       x: before.leak_mm2,
       y: opening / 100,
       name: 'before',
-      words: `Before repair: leak ${withUnit(before.leak_mm2, 'mm²')} as it is, opening ${cm2(opening)}.`,
+      words: `Before repair: leak ${withUnit(before.leak_mm2, 'mm²')}, opening ${cm2(opening)}.`,
       level: 'aside',
       isRinged: false,
       isSmall: false,
@@ -110,11 +110,11 @@ export function tradeSummary(result: SearchResult): string {
   return [
     `Up and to the left is better: leak ${range(leaks, 'mm²')} (mean + sd), opening ${range(openings, 'cm²')}.`,
     ...(lasting.length > 0
-      ? [`They outlast ${range(lasting, 'mm')} of further disease, of ${FURTHEST_DISEASE_MM} tried.`]
+      ? [`Their reserve against progression is ${range(lasting, 'mm')}, up to the simulated ${FURTHEST_DISEASE_MM} mm.`]
       : []),
     ...(front.length > 0 ? [`Pareto-optimal: ${front.length === 1 ? 'plan' : 'plans'} ${joined(front)}.`] : []),
-    ...(letters === 1 ? ['A letter names a plan of the Pareto front that is not ranked.'] : []),
-    ...(letters > 1 ? [`Letters name ${letters} plans of the Pareto front that are not ranked.`] : []),
+    ...(letters === 1 ? ['A letter denotes an unranked plan of the Pareto front.'] : []),
+    ...(letters > 1 ? [`Letters denote ${letters} unranked plans of the Pareto front.`] : []),
     ...(opening === null ? [] : [`Before repair: ${withUnit(before.leak_mm2, 'mm²')} and ${cm2(opening)}.`]),
   ].join(' ')
 }
@@ -124,28 +124,28 @@ export function lacking(plans: RankedPlan[]): string[] {
   const noChart = ', so there is no chart'
   return [
     {
-      what: 'The leak over the region',
-      why: 'it was not closed',
+      what: 'The leak with errors of execution',
+      why: 'it was not computed',
       isKnown: (plan: RankedPlan) => tradeOfRanked(plan).leak_mm2 !== null,
       ifOfAll: noChart,
     },
     {
       what: 'The opening',
-      why: 'the valve was not opened, or did not come to rest',
+      why: 'the valve was not opened, or did not reach equilibrium',
       isKnown: (plan: RankedPlan) => openingMm2(plan) !== null,
       ifOfAll: noChart,
     },
     {
-      what: 'How much further disease a repair outlasts',
-      why: 'that takes the evidence of a search',
+      what: 'The reserve against progression',
+      why: 'it requires the evidence of a search',
       isKnown: ({ durability_mm }: RankedPlan) => durability_mm != null,
       ifOfAll: '',
     },
   ].flatMap(({ what, why, isKnown, ifOfAll }) => {
     const ranks = plans.filter((plan) => !isKnown(plan)).map(({ rank }) => String(rank))
     if (ranks.length === 0) return []
-    if (ranks.length === plans.length) return [`${what} is not known for any plan (${why})${ifOfAll}.`]
-    return [`${what} is not known for ${ranks.length === 1 ? 'plan' : 'plans'} ${joined(ranks)} (${why}).`]
+    if (ranks.length === plans.length) return [`${what} is unknown for all plans (${why})${ifOfAll}.`]
+    return [`${what} is unknown for ${ranks.length === 1 ? 'plan' : 'plans'} ${joined(ranks)} (${why}).`]
   })
 }
 
@@ -158,7 +158,7 @@ function tradeTable(result: SearchResult): HTMLElement {
       { label: 'Plan' },
       { label: 'Leak, mean + sd, mm²', numeric: true },
       { label: 'Opening, cm²', numeric: true },
-      { label: 'Outlasts disease, mm', numeric: true },
+      { label: 'Reserve, mm', numeric: true },
       { label: 'Pareto-optimal' },
     ],
     [

@@ -11,12 +11,12 @@ export function footer(): HTMLElement {
       build.textContent = `coapt ${answer.version}`
       list.append(...answer.not_modelled.map((sentence) => h('li', {}, sentence)))
     },
-    () => list.append(h('li', {}, 'The service did not answer.')),
+    () => list.append(h('li', {}, 'The service did not respond.')),
   )
   return h(
     'footer',
     { class: shellStyle.notice },
     h('p', {}, h('strong', {}, 'Research use only, not a medical device; not for clinical decisions. '), build),
-    h('details', {}, h('summary', {}, 'What is not modelled'), list),
+    h('details', {}, h('summary', {}, 'Model limitations'), list),
   )
 }

@@ -13,7 +13,7 @@ export function notices(again: () => void): Notices {
   const away = h(
     'p',
     { class: shellStyle.away, hidden: true },
-    'The service does not answer. Grey figures are the last that it gave; the page asks again by itself.',
+    'The service does not respond. Values in grey are the last ones received; the page retries automatically.',
   )
   const words = h('span', {})
   const fault = h(

@@ -54,7 +54,7 @@ export function commandPalette(workspace: Workspace, shown: () => View | null): 
         ),
       ),
     )
-    if (found.length === 0) list.append(h('li', { role: 'option', 'aria-disabled': 'true' }, 'Nothing has this name.'))
+    if (found.length === 0) list.append(h('li', { role: 'option', 'aria-disabled': 'true' }, 'Nothing found.'))
     input.setAttribute('aria-activedescendant', found.length > 0 ? `command-${at}` : '')
     list.children[at]?.scrollIntoView({ block: 'nearest' })
   }
@@ -165,7 +165,7 @@ function documents(): Command[] {
     run: () => explain(document.querySelector('header') ?? document.body, text),
   }))
   return [
-    { group: 'Document', name: 'What is not modelled', run: limits },
+    { group: 'Document', name: 'Model limitations', run: limits },
     ...(HAS_SERVICE
       ? [
           {

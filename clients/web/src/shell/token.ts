@@ -22,8 +22,8 @@ function ask(): Promise<string | null> {
       h(
         'p',
         { class: parts.hint },
-        'coapt-server printed a link that holds the token when it started: open that link, or paste the link or the token ' +
-          'here. The token is kept until this tab is closed.',
+        'When it started, coapt-server printed a link that contains the token. Open that link, or paste the link or the token ' +
+          'here. The token is stored until this tab is closed.',
       ),
       button('Continue', give, { class: parts.primary }),
     )

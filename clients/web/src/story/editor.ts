@@ -37,14 +37,14 @@ export function storyEditor(
     },
   )
   figure.setAttribute('aria-label', 'Insert a figure')
-  const camera = select([[NONE, 'as it is'], ...CAMERAS.map((name) => [name, name] as const)], NONE, (name) =>
+  const camera = select([[NONE, 'unchanged'], ...CAMERAS.map((name) => [name, name] as const)], NONE, (name) =>
     set({ camera: CAMERAS.find((known) => known === name) }),
   )
   const expect = select(
     [
-      [NONE, 'says nothing of it'],
-      ['leaks', 'takes for granted that it leaks'],
-      ['closed', 'takes for granted that it closes'],
+      [NONE, 'does not depend on the leak'],
+      ['leaks', 'assumes that the valve leaks'],
+      ['closed', 'assumes that the valve closes'],
     ],
     NONE,
     (name) => set({ expect: EXPECTED.find((known) => known === name) }),
@@ -69,7 +69,7 @@ export function storyEditor(
       h(
         'p',
         { class: parts.row },
-        button('Record this page', () => set(recorded()), { title: 'View, valve and plan, as they are shown' }),
+        button('Record this page', () => set(recorded()), { title: 'Current view, valve and plan' }),
         button('Add a slide', () =>
           change((to) => to.slides.splice(slide + 1, 0, { ...recorded(), title: 'Next', text: '{leak}' }), 1),
         ),
@@ -87,7 +87,7 @@ export function storyEditor(
         { class: parts.row },
         button('Copy the link', () => void copy()),
         button('Save file', () => save()),
-        filePicker('A story’s file', 'Open file', { accept: '.json', use: ([file]) => void open(file) }),
+        filePicker('Story file', 'Open file', { accept: '.json', use: ([file]) => void open(file) }),
         said,
       ),
     ),
@@ -161,8 +161,8 @@ export function storyEditor(
 
   async function copy(): Promise<void> {
     const words = await navigator.clipboard.writeText(location.href).then(
-      () => 'The link is copied; it holds the story.',
-      () => 'The browser does not let the page copy: the address of this page is the link.',
+      () => 'The link was copied; it contains the story.',
+      () => 'The browser does not allow copying; use the address of this page as the link.',
     )
     said.textContent = words
   }

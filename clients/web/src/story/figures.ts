@@ -50,13 +50,13 @@ const FIGURES: Readonly<Record<string, Figure>> = {
     words: of(({ leak: { openings } }) => joined((openings[0]?.segments ?? []).slice(0, 2)) || null),
   },
   width: {
-    about: 'how wide the largest opening is',
+    about: 'the width of the largest opening',
     words: of(({ leak: { openings } }) => mm(openings[0]?.width_mm ?? 0)),
   },
   why: { about: 'the diagnosis, as a sentence', words: of(why) },
   why_before: { about: 'the diagnosis before the repair', words: before(why) },
   prolapse: {
-    about: 'how far the edge that prolapses most rides over the opposite one',
+    about: 'how far the most prolapsed edge overrides the opposite one',
     words: before(({ diagnosis }) =>
       diagnosis ? withUnit(Math.max(...diagnosis.segments.map(({ override_mm }) => override_mm)), 'mm') : null,
     ),
@@ -91,15 +91,15 @@ const FIGURES: Readonly<Record<string, Figure>> = {
     words: read(({ force_n }) => (force_n === null ? null : withUnit(force_n, 'N', 2))),
   },
   height: {
-    about: 'the height of what the hook holds above the annular plane (Live)',
+    about: 'the height of the grasped tissue above the annular plane (Live)',
     words: read(({ height_mm }) => mm(height_mm)),
   },
   margin: {
-    about: 'how far off the step that is varied may be (Repair)',
+    about: 'the margin of the varied step (Repair)',
     words: read(({ tolerance }) => tolerance && (tolerance.margin ?? 'none')),
   },
   leak_off: {
-    about: 'the largest leak where the step that is varied ends a millimetre off (Repair)',
+    about: 'the largest leak with an error of 1 mm in the varied step (Repair)',
     words: read(({ tolerance }) => tolerance?.leak_off ?? null),
   },
 }

@@ -44,7 +44,7 @@ async function inflated(letters: string): Promise<string> {
 /// A story that cannot be told.
 export class StoryFault extends Error {
   constructor(readonly problems: Problem[]) {
-    super(`This story cannot be told: ${problems.map(({ path, message }) => `${path} ${message}`).join('; ')}.`)
+    super(`This story cannot be shown: ${problems.map(({ path, message }) => `${path} ${message}`).join('; ')}.`)
   }
 }
 

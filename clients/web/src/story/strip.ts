@@ -15,8 +15,8 @@ import parts from '../style/parts.module.css'
 import storyStyle from './story.module.css'
 
 const FAULTS = {
-  leaks: 'This slide is written for a valve that leaks, and this one does not: do not rely on its words.',
-  closed: 'This slide is written for a valve that closes, and this one leaks: do not rely on its words.',
+  leaks: 'This slide was written for a leaking valve, but this valve does not leak; its text may not apply.',
+  closed: 'This slide was written for a competent valve, but this valve leaks; its text may not apply.',
 }
 
 export interface StoryStrip {

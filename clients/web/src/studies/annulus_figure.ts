@@ -29,7 +29,7 @@ export function annulusFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     lineChart(
       {
         title: 'Orifice of a dilated and flattened annulus',
-        summary: `At ${full?.x.at(-1) ?? 0} % dilation the orifice is ${number(last)} mm² with the full height; the thesis has ${number(DILATED.mm2.at(-1))} mm² at 30 %.`,
+        summary: `At ${full?.x.at(-1) ?? 0} % dilation the orifice is ${number(last)} mm² with the full height; the thesis reports ${number(DILATED.mm2.at(-1))} mm² at 30 %.`,
         x: dilation,
         y: { label: 'orifice, mm²' },
         series: [
@@ -42,7 +42,7 @@ export function annulusFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     lineChart(
       {
         title: 'Effect of flattening on the orifice',
-        summary: 'Orifice of the flattened annulus in percent of that with its full height, at the same dilation.',
+        summary: 'Orifice with the flattened annulus in percent of that with the full height, at the same dilation.',
         x: dilation,
         y: { label: 'share of the orifice, %' },
         series: shares,

@@ -55,7 +55,7 @@ export function approximationFigure(rows: Row[], signal: AbortSignal): HTMLEleme
     h(
       'p',
       { class: parts.hint },
-      'Number of displaced configurations by the mean (or sd) of the orifice over their region of interest after repair: further left is better.',
+      'Number of displaced configurations by the mean (or sd) of the orifice over their region of interest after repair; further left is better.',
     ),
     h(
       'div',
@@ -155,7 +155,7 @@ export function scanFigure(rows: Row[], levels: Row[], signal: AbortSignal): HTM
     h(
       'p',
       { class: parts.hint },
-      'Position: share of the annulus from the posteromedial commissure (0) over the saddle peak (0.25) to the anterolateral commissure (0.5) and on; mirrored for the anterolateral muscle.',
+      'Position: fraction of the annulus from the posteromedial commissure (0) over the saddle peak (0.25) to the anterolateral commissure (0.5) and onwards; mirrored for the anterolateral muscle.',
     ),
     h('div', { class: chartsStyle.charts }, ...panels),
   )

@@ -13,8 +13,8 @@ export function findingsTable(result: StudyResult): HTMLElement {
   const facts: [string, string][] = [
     ['findings that agree', `${result.agree} of ${findings.length}`],
     ['configurations', grouped(result.configurations)],
-    ['closed now', grouped(result.closures - result.closures_known)],
-    ['not trusted', grouped(result.untrusted)],
+    ['newly closed', grouped(result.closures - result.closures_known)],
+    ['unreliable', grouped(result.untrusted)],
     ['time', seconds(result.seconds)],
   ]
   return h(
@@ -27,7 +27,7 @@ export function findingsTable(result: StudyResult): HTMLElement {
       ...facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
     ),
     findings.length === 0
-      ? h('p', {}, 'None: no displacement leaks enough to be repaired.')
+      ? h('p', {}, 'None, because no displacement causes a leak large enough to repair.')
       : h(
           'details',
           { class: parts.more, open: findings.length <= MOST_OPEN },

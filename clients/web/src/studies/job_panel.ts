@@ -25,7 +25,7 @@ export function studyPanel(first: Job, told: (job: Job) => void, signal: AbortSi
     if (job.state === 'FAILED') {
       say(h('h2', {}, 'The study failed'), problemList(job.problems))
     } else if (job.state === 'CANCELLED') {
-      say(h('p', {}, 'The study was cancelled. Its closures are kept: start it again to continue.'))
+      say(h('p', {}, 'The study was cancelled. Its closures are stored; start it again to continue.'))
     } else if (job.state === 'SUCCEEDED') {
       void studyResults(job, signal).then((results) => body.replaceChildren(results), complain)
     } else if (panel) {

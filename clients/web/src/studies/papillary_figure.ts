@@ -40,7 +40,7 @@ export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
       ]),
     ),
     h('h3', {}, 'Largest orifice by displaced axes, mm² (table 4.1)'),
-    h('p', { class: parts.hint }, 'T transverse, P posterior, A apical; the thesis’s valve is not published.'),
+    h('p', { class: parts.hint }, 'T transverse, P posterior, A apical; the valve of the thesis is not published.'),
     dataTable(
       'Largest orifice by class and displaced axes, mm², beside the thesis',
       [{ label: 'displaced' }, ...AXES.map((label) => ({ label, numeric: true }))],
@@ -71,7 +71,7 @@ function axesChart(name: string, rows: Row[], highest: number, signal: AbortSign
   return lineChart(
     {
       title: classTitle(name),
-      summary: `Displaced along one axis, the orifice ends at: ${ends}.`,
+      summary: `Orifice at the largest displacement along one axis: ${ends}.`,
       x: { label: 'displacement, mm' },
       y: { label: 'orifice, mm²', highest },
       series,

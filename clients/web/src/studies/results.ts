@@ -34,7 +34,7 @@ const DRAWINGS: Drawing[] = [
   { file: 'ring.csv', title: 'Undersized rings (figure 4.9)', draw: (rows, _, signal) => ringFigure(rows, signal) },
   {
     file: 'approximation.csv',
-    title: 'Trigone against saddle peak (figure 4.10)',
+    title: 'Trigone versus saddle peak (figure 4.10)',
     draw: (rows, _, signal) => approximationFigure(rows, signal),
   },
   { file: 'anchors.csv', title: 'Anchors', draw: (rows) => anchorsTable(rows) },

@@ -27,7 +27,7 @@ export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     h(
       'p',
       { class: parts.hint },
-      'U1 to U3: a ring one to three sizes below the annulus. Orifice in percent of that under the properly sized one at the same displacement, where that is 1 mm² or more. Median and range over transverse and posterior displacements.',
+      'U1 to U3: a ring one to three sizes below the annulus. Orifice in percent of that with the properly sized one at the same displacement, where that is 1 mm² or more. Median and range over transverse and posterior displacements.',
     ),
     h(
       'div',

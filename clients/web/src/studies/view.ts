@@ -46,9 +46,9 @@ function empty(): HTMLElement {
         'p',
         {},
         'The studies of the thesis “Fast Surgical Simulation to Improve Mitral Valve Repair”, repeated on this valve: ' +
-          'each finding of the thesis beside what this valve shows, with its figures.',
+          'each finding of the thesis is compared with this valve.',
       ),
-      h('p', {}, 'The study of the annulus takes seconds, all of them about a minute on two cores.'),
+      h('p', {}, 'The annulus study takes seconds; all studies take about a minute on two cores.'),
     ),
   )
 }

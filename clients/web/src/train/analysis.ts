@@ -13,7 +13,7 @@ import { Clock, clockWords } from './waits'
 
 export class Analysis {
   readonly canvas = new LiveCanvas({
-    label: 'The flaccid valve from the atrium: press it and drag; Enter grabs the middle',
+    label: 'The flaccid valve seen from the atrium: press and drag it; Enter grabs the centre',
     view: 'atrial',
     isFixed: true,
     look: { strain: false, prolapse: false, plane: false, cut: null, noChordae: true }, // they would tell the lesions

@@ -27,13 +27,13 @@ export async function trialA(made: CaseA, at: TrialParts): Promise<Judged> {
     made.choices.map(({ closed_mm }) => closed_mm),
   )
   four.ask(false)
-  const go = button('Go on to the flaccid valve', () => {}, { class: parts.primary })
+  const go = button('Continue to the flaccid valve', () => {}, { class: parts.primary })
   const look = panel(
     '1. Look',
-    h('p', {}, 'One of these four is next, without pressure. There is no limit of time.'),
+    h('p', {}, 'One of these four valves follows, without pressure. There is no time limit.'),
     go,
   )
-  frame.show(title, 'Four valves under pressure. Turn them as you like: they turn together.', four.element, [
+  frame.show(title, 'Four valves under pressure. Rotate them as you like; they rotate together.', four.element, [
     look,
     aside,
   ])
@@ -43,7 +43,7 @@ export async function trialA(made: CaseA, at: TrialParts): Promise<Judged> {
   const done = button('I have seen enough', () => {}, { class: parts.primary })
   frame.show(
     title,
-    'The flaccid valve from the atrium: pull on it to find out how it will close.',
+    'The flaccid valve seen from the atrium: pull on it to find out how it closes.',
     analysis.canvas.element,
     [panel('2. Pull', analysis.clock, done), analysis.hand.element, aside],
   )

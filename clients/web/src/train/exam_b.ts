@@ -26,7 +26,7 @@ export async function trialB(made: CaseB, at: Omit<TrialParts, 'four'>): Promise
       panel('Time', analysis.clock),
       analysis.hand.element,
       table.element,
-      panel('All in all', h('p', {}, 'Of your eight answers, as a share.'), confidence.element, answer),
+      panel('Overall', h('p', {}, 'Expected fraction of correct answers out of eight.'), confidence.element, answer),
       aside,
     ],
   )
@@ -36,7 +36,7 @@ export async function trialB(made: CaseB, at: Omit<TrialParts, 'four'>): Promise
   analysis.begin(limit_s, () => {
     analysed = analysis.end(limit_s)
     after = new Clock(() => {})
-    frame.say('Time is up: judge what is left.')
+    frame.say('Time is up. Answer the remaining segments.')
   })
   try {
     await pressed(answer, signal)

@@ -38,7 +38,7 @@ export async function feedbackA(
       h('tr', {}, h('th', { scope: 'row' }, `Valve ${choice}`), h('td', {}, number(leak_mm2))),
     ),
   )
-  const words = judged.right === 1 ? 'Right.' : `Not right: it was valve ${made.answer}.`
+  const words = judged.right === 1 ? 'Right.' : `Wrong: it was valve ${made.answer}.`
   const why = h('p', { 'data-part': 'why' }, told ? whyWords(made, judged, told) : '')
   const pull = h(
     'p',
@@ -80,9 +80,9 @@ function tellingOf({ answer, choices }: CaseA, judged: Judged, { valve }: Analys
 /// "P2 gives it away: its free edge closes 3.1 mm higher than in valve 1, your answer. You did not pull P2."
 function whyWords({ answer }: CaseA, judged: Judged, { segment, higher_mm, other }: Told): string {
   const apart = `${number(Math.abs(higher_mm))} mm ${higher_mm > 0 ? 'higher' : 'lower'}`
-  const compared = judged.right === 1 ? `valve ${other}, which is most like it` : `valve ${other}, your answer`
+  const compared = judged.right === 1 ? `valve ${other}, the most similar one` : `valve ${other}, your answer`
   const pulled = judged.visited.includes(segment) ? '' : ` You did not pull ${segment}.`
-  return `${segment} gives valve ${answer} away: its free edge closes ${apart} than in ${compared}.${pulled}`
+  return `${segment} distinguishes valve ${answer}: its free edge closes ${apart} than in ${compared}.${pulled}`
 }
 
 export async function feedbackB(
@@ -94,14 +94,14 @@ export async function feedbackB(
   const { pull_n, limit_mm } = made.limits
   frame.show(
     title,
-    `${judged.right} of ${SEGMENTS.length} segments are right.`,
+    `${judged.right} of ${SEGMENTS.length} segments are correct.`,
     panel(
       'Segments',
       segmentsTruth(made, judged.choice),
       h(
         'p',
         { class: parts.hint },
-        `Each free edge was pulled towards the atrium with ${pull_n} N; more than ${limit_mm} mm lower than in the valve without lesions is tethered, as much higher prolapsing. Heights are above the annular plane.`,
+        `Each free edge was pulled towards the atrium with ${pull_n} N. A segment more than ${limit_mm} mm lower than in the valve without lesions is tethered; one as much higher is prolapsing. Heights are above the annular plane.`,
       ),
     ),
     [panel('Answer', next), aside],

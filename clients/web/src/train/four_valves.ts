@@ -29,7 +29,7 @@ export class FourValves {
 
   constructor() {
     this.stages = CHOICES.map(
-      (choice) => new Stage(`Closed valve ${choice}: drag, or arrow keys, to turn all four; plus and minus zoom`),
+      (choice) => new Stage(`Closed valve ${choice}: drag, or arrow keys, to rotate all four; plus and minus zoom`),
     )
     const [first, ...others] = this.stages as [Stage, ...Stage[]]
     for (const other of others) first.pair(other)
@@ -109,7 +109,7 @@ export class FourValves {
       const radio = this.radios[i] as HTMLInputElement
       radio.disabled = true
       radio.checked = i + 1 === choice
-      if (i + 1 === answer) words.textContent = `Valve ${i + 1}: the right one`
+      if (i + 1 === answer) words.textContent = `Valve ${i + 1}: the correct answer`
       else if (i + 1 === choice) words.textContent = `Valve ${i + 1}: your answer`
     }
   }

@@ -32,7 +32,7 @@ export class HandPanel {
       ),
       this.grid,
       lifts(canvas),
-      h('label', { class: parts.check }, pins, 'Pin hooks where they are let go'),
+      h('label', { class: parts.check }, pins, 'Keep hooks in place after release'),
       h(
         'details',
         { class: parts.more },
@@ -40,13 +40,13 @@ export class HandPanel {
         h(
           'ul',
           { class: parts.hint },
-          h('li', {}, 'Press a leaflet and drag; the wheel moves the hook along the view.'),
-          h('li', {}, 'Or grab the middle of a free edge by its segment’s button, then lift it.'),
-          h('li', {}, 'Two hooks: two fingers, or pin the first and press again.'),
+          h('li', {}, 'Press a leaflet and drag; the wheel moves the hook along the viewing direction.'),
+          h('li', {}, 'Or grab the middle of a free edge with the button of its segment, then lift it.'),
+          h('li', {}, 'Two hooks: use two fingers, or keep the first in place and press again.'),
           h(
             'li',
             {},
-            'Keys: Enter grabs, arrows move the hook, Page Up lifts it, Page Down lowers it, Escape lets go.',
+            'Keys: Enter grabs, arrow keys move the hook, Page Up lifts it, Page Down lowers it, Escape releases it.',
           ),
         ),
       ),

@@ -27,7 +27,7 @@ export class Learn {
   readonly element: HTMLElement
   private readonly frame = new Frame()
   private readonly canvas = new LiveCanvas({
-    label: 'A valve to learn from: press it and drag; Enter grabs the middle, arrow keys turn it, plus and minus zoom',
+    label: 'Practice valve: press and drag it; Enter grabs the centre, arrow keys rotate it, plus and minus zoom',
     view: 'oblique',
     isFixed: false,
     look: { strain: true, prolapse: true, plane: true, cut: null },
@@ -85,7 +85,7 @@ export class Learn {
     this.element = this.frame.element
     this.frame.show(
       'Learn',
-      'Pull each free edge towards the atrium: how high does it come, and how hard do you pull?',
+      'Pull each free edge towards the atrium. Note how far it rises and how much force it takes.',
       stage,
       [
         panel('Examples', this.told, this.examples, field('Case', this.seed)),
@@ -113,7 +113,7 @@ export class Learn {
     this.shown = asked
     this.engine.drop() // the case that was asked for before
     this.examples.removeAttribute('data-case')
-    this.told.replaceChildren('A case is made: this takes some seconds.')
+    this.told.replaceChildren('A case is being made, which takes some seconds.')
     try {
       const made = await this.engine.make(valve, 'B', seed)
       const live = await this.canvas.start(JSON.stringify(made.valve), null, 0)
@@ -159,7 +159,7 @@ export class Learn {
         'li',
         {},
         h('strong', {}, `${segment} is ${mobility}`),
-        `: pulled with ${made.limits.pull_n} N its free edge is ${heightWords(height_mm)} the annular plane, without lesions ${heightWords(normal_mm)} it.`,
+        `: when pulled with ${made.limits.pull_n} N, its free edge is ${heightWords(height_mm)} the annular plane, without lesions ${heightWords(normal_mm)} it.`,
         h(
           'p',
           { class: parts.row },

@@ -57,7 +57,7 @@ export class Results {
       this.element.replaceChildren(panel('Results', h('p', {}, 'No trials yet.')))
       return
     }
-    const scores = h('div', {}, 'Scores are worked out ...')
+    const scores = h('div', {}, 'Computing scores ...')
     this.element.replaceChildren(
       panel('Scores', scores),
       panel('Trials', this.tools(trials), table('Trials', TRIALS, [...trials].reverse())),
@@ -101,17 +101,17 @@ function explained(): HTMLElement {
   return h(
     'details',
     { class: parts.more },
-    h('summary', {}, 'What the columns say'),
+    h('summary', {}, 'Explanation of the columns'),
     h(
       'ul',
       { class: parts.hint },
-      h('li', {}, 'Share: of right answers with its 95 % interval (Wilson); chance: by guessing.'),
-      h('li', {}, 'By chance: probability of as many right answers by guessing alone.'),
-      h('li', {}, 'Brier: mean squared difference of confidence and result; 0 is best.'),
+      h('li', {}, 'Share: fraction of correct answers with its 95 % interval (Wilson); chance: by guessing.'),
+      h('li', {}, 'By chance: probability of at least as many correct answers by guessing.'),
+      h('li', {}, 'Brier: mean squared difference between confidence and result; 0 is best.'),
       h(
         'li',
         {},
-        'Ability: of the model with guessing; a case of this difficulty is got right half of the way from chance to certainty.',
+        'Ability (Rasch model with guessing): difficulty at which the learner scores halfway between chance and 100 %.',
       ),
     ),
   )

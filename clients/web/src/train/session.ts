@@ -71,15 +71,15 @@ export class Session {
   }
 
   private async instruct({ name, instruction }: InstructionBlock): Promise<void> {
-    const done = button('Done: go on', () => {}, { class: parts.primary })
-    const open = button('Open the page’s instruction', () => this.at.learn())
+    const done = button('Continue', () => {}, { class: parts.primary })
+    const open = button('Read the instruction on this page', () => this.at.learn())
     const words = h('div', { class: parts.panel }, h('p', {}, instruction), h('p', { class: parts.row }, open, done))
-    this.at.frame.show(`Instruction: ${name}`, 'Then the next trials begin.', words, [this.aside(name)])
+    this.at.frame.show(`Instruction: ${name}`, 'The next trials begin afterwards.', words, [this.aside(name)])
     await pressed(done, this.at.signal)
   }
 
   private wait(title: string): void {
-    const words = h('div', { class: parts.panel }, 'A case is made: this takes some seconds.')
+    const words = h('div', { class: parts.panel }, 'A case is being made, which takes some seconds.')
     this.at.frame.show(title, 'Making the next case ...', words, [this.aside('')])
   }
 

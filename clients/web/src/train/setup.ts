@@ -43,7 +43,7 @@ export class Setup {
     this.first = numbered(kept.first_case, 1e9)
     this.orders.append(field('Order (seed)', this.seed))
     this.element = panel(
-      'What to do',
+      'Task',
       h(
         'div',
         { class: trainStyle.form },
@@ -67,12 +67,12 @@ export class Setup {
           accept: '.json,application/json',
           use: ([file]) => void this.read(file),
         }),
-        h('p', { class: parts.hint }, 'A coapt.training_schedule/1 document, as those of examples/training.'),
+        h('p', { class: parts.hint }, 'A coapt.training_schedule/1 document, such as those in examples/training.'),
       ),
       h(
         'p',
         { class: parts.hint },
-        'A learner is a number, not a name. Cases are made from their seeds; the order of an exam is drawn from its own seed. Trials stay in this browser until you export them.',
+        'Learners are identified by a number, not a name. Cases are made from their seeds; each exam has its own seed for the order of trials. Trials are stored in this browser until you export them.',
       ),
     )
     this.list()
@@ -109,7 +109,7 @@ export class Setup {
     this.orders.hidden = !schedule
     const words = schedule
       ? (schedule.notes ?? [])
-      : ['No limit of time; the answer is told after each case. A case that was not right comes again.']
+      : ['There is no time limit, and the answer is shown after each case. Cases answered wrongly are repeated.']
     this.notes.replaceChildren(...words.map((note) => h('p', {}, note)))
   }
 

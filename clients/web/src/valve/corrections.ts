@@ -71,11 +71,11 @@ export function decisionControls(result: ImportResult, change: Corrections): Map
   )
   controls.set(
     'atrium',
-    button(change.flipped ? 'Back to the side that it looks' : 'The atrium is on the other side', change.flip),
+    button(change.flipped ? 'Back to the detected side' : 'The atrium is on the other side', change.flip),
   )
   controls.set(
     'frame',
-    button(change.mirrored ? 'The files are no mirror image' : 'The files are a mirror image', change.mirror),
+    button(change.mirrored ? 'The files are not a mirror image' : 'The files are a mirror image', change.mirror),
   )
   const states = [
     ['open', 'open'],

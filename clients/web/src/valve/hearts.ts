@@ -1,4 +1,4 @@
-// The valve that is open beside what was measured in hearts: a row for each quantity, asked for by a button because it takes seconds.
+// The valve that is open beside what was measured measured: a row for each quantity, asked for by a button because it takes seconds.
 import { comparePhysiology } from '../api/calls'
 import type { Physiology, PhysiologyRow } from '../api/types'
 import { dataTable, figure } from '../charts/data_table'
@@ -26,8 +26,8 @@ const KINDS: Record<Physiology['kind'], string> = {
 export function heartsPanel(workspace: Workspace): HTMLElement {
   let asked: AbortController | null = null
   let shown: string | null = null // the reference of the valve that is compared, or was
-  const ask = button('Compare with hearts', () => void compare())
-  const progress = h('progress', { 'aria-label': 'Comparing with hearts', hidden: true })
+  const ask = button('Compare with measurements', () => void compare())
+  const progress = h('progress', { 'aria-label': 'Comparing with measurements', hidden: true })
   const answer = h('div', { class: valveStyle.hearts, 'aria-live': 'polite' })
   workspace.subscribe(() => shown !== null && workspace.valve?.reference !== shown && clear())
 
@@ -64,12 +64,12 @@ export function heartsPanel(workspace: Workspace): HTMLElement {
 
   return h(
     'section',
-    { class: parts.panel, 'aria-label': 'Comparison with hearts', 'data-part': 'hearts' },
-    h('h2', {}, 'Beside hearts'),
+    { class: parts.panel, 'aria-label': 'Comparison with measurements', 'data-part': 'hearts' },
+    h('h2', {}, 'Comparison with measured hearts'),
     h(
       'p',
       { class: parts.hint },
-      'Loads, strains, rings, opening and clips of this valve beside what was measured in hearts. The valve is closed and opened 17 times, which takes some seconds.',
+      'Compares loads, strains, rings, opening and clips of this valve with published measurements. The valve is closed and opened 17 times, which takes some seconds.',
     ),
     ask,
     progress,
@@ -80,17 +80,17 @@ export function heartsPanel(workspace: Workspace): HTMLElement {
 function rowsOf({ kind, kind_judged, species, rows }: Physiology): HTMLElement[] {
   const met = rows.filter(({ verdict }) => verdict === 'met').length
   const ranges = rows.filter(({ low }) => low !== null).length
-  const judged = kind_judged ? ', as it was judged when it closed' : ''
+  const judged = kind_judged ? ', inferred from the closed valve' : ''
   return [
-    h('p', {}, h('strong', { 'data-part': 'met' }, `${met} of ${ranges} ranges met.`)),
+    h('p', {}, h('strong', { 'data-part': 'met' }, `${met} of ${ranges} quantities are within their ranges.`)),
     h(
       'p',
       { class: parts.hint },
       `The ranges are those of ${species} ${KINDS[kind]}${judged}. Press a quantity to read the source of its range.`,
     ),
     dataTable(
-      'This valve beside hearts',
-      [{ label: 'Quantity' }, { label: over('This valve', 'in hearts'), numeric: true }, { label: 'Verdict' }],
+      'This valve compared with measured hearts',
+      [{ label: 'Quantity' }, { label: over('This valve', 'measured'), numeric: true }, { label: 'Verdict' }],
       rows.map((row) => [name(row), over(value(row), range(row)), verdict(row)]),
     ),
   ]

@@ -41,7 +41,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   const unit = select([['', 'by the annulus'], ...UNITS], '', () => {})
   const state = select(
     [
-      ['', 'open or closed, as it looks'],
+      ['', 'detect from the shape'],
       ['open', 'open'],
       ['closed', 'closed'],
     ],
@@ -60,12 +60,12 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   })
   const seed = h('input', { type: 'number', min: 0, max: 2147483647, value: 1 })
   const landmarks = landmarkList(() => stage.files())
-  const leak = h('input', { type: 'number', min: 0, max: 2000, step: 'any', placeholder: 'not known' })
+  const leak = h('input', { type: 'number', min: 0, max: 2000, step: 'any', placeholder: 'unknown' })
   let side: 'atrial' | 'middle' = 'atrial'
   const sides = select(
     [
       ['atrial', 'their atrial side'],
-      ['middle', 'their middle'],
+      ['middle', 'their mid-surface'],
     ],
     side,
     (value) => (side = value as typeof side),
@@ -79,10 +79,10 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     h(
       'p',
       { class: parts.hint },
-      'Chordae, tips and tissue are changed until the valve closes onto them. This takes seconds to minutes.',
+      'Chordae, tips and tissue are adjusted until the valve closes onto these leaflets. This takes seconds to minutes.',
     ),
-    field('What was segmented', sides),
-    field('Leak as imaged', leak, 'mm²'),
+    field('Segmented surface', sides),
+    field('Imaged leak', leak, 'mm²'),
     fit,
   )
   const options = h(
@@ -91,15 +91,15 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     field('Name', name),
     field('Units', unit),
     field('Leaflets were imaged', state),
-    field('Draw chordae', draws),
-    field('Seed of drawn chordae', seed),
-    field('Triangles, about', triangles),
+    field('Synthesise chordae', draws),
+    field('Seed of synthesised chordae', seed),
+    field('Triangles (approximate)', triangles),
     landmarks.element,
     h(
       'details',
       { class: parts.more, 'data-part': 'corrections' },
-      h('summary', {}, 'Correct what is judged'),
-      field('Labels and order are right', trusts),
+      h('summary', {}, 'Correct detected properties'),
+      field('Labels and order are correct', trusts),
       field('Atrium on the other side', flips),
       field('Mirror image', mirrored),
     ),
@@ -114,8 +114,8 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
       'p',
       { class: parts.hint },
       'A label map (NRRD, NIfTI or MetaImage), or leaflets (OBJ, PLY, STL, VTK, VTP or VTU) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
-        'system; chordae and papillary tips if they were seen; or all files of a SlicerHeart folder. Remove what identifies ' +
-        'the patient first.',
+        'system; chordae and papillary tips if imaged; or all files of a SlicerHeart folder. Remove patient identifiers ' +
+        'first.',
     ),
     filePicker('Files', 'Choose files', {
       multiple: true,
@@ -213,7 +213,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
       said.textContent = ''
     } catch (error) {
       const problems = problemsOf(error)
-      said.textContent = `No valve can be made of these files: ${problems.length === 1 ? 'one problem.' : `${problems.length} problems.`}`
+      said.textContent = `No valve can be made from these files: ${problems.length === 1 ? 'one problem.' : `${problems.length} problems.`}`
       show(problems)
       if (result?.isConnected) {
         result.querySelector('[data-part=problems]')?.remove()
@@ -281,7 +281,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     const search = h(
       'a',
       { class: `${parts.button} ${parts.primary}`, href: `#/search?valve=${made.valve}` },
-      'Go on to search',
+      'Continue to search',
     )
     const again = button('Back to the files', () => draw())
     const canFit = !wasFitted && (made.closed || !fitting.hidden)
@@ -324,7 +324,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     const said = file.parts.map(
       ({ number }) => labels.find((label) => label.number === number) ?? { number, part: null },
     )
-    return labelChoice(said, 'found by itself', (taken) => {
+    return labelChoice(said, 'detected', (taken) => {
       labels = taken
       show([])
     })

@@ -85,11 +85,11 @@ export function importResult(
 ): HTMLElement {
   const picture = h('img', {
     class: valveStyle.importPicture,
-    alt: `${result.name}: what was given beside the valve made of it, from the atrium and from behind, and a section`,
+    alt: `${result.name}: the input and the resulting valve, seen from the atrium and from posterior, and a section`,
   })
   const doubts = result.decisions.filter(({ look }) => look)
   const left = new Map(controls)
-  const residual = h('img', { class: valveStyle.importPicture, alt: 'Distances that the fit left', hidden: true })
+  const residual = h('img', { class: valveStyle.importPicture, alt: 'Remaining distances after the fit', hidden: true })
   void fill(picture, job.links.picture ?? '')
   if (result.fit)
     void filesOf(job.id).then((files) => {
@@ -103,7 +103,7 @@ export function importResult(
       'p',
       {},
       h('strong', {}, result.name),
-      ` is open: ${result.triangles} triangles, ${result.chordae} chordae. Compare it with what was given, and look through what was decided.`,
+      ` is open: ${result.triangles} triangles, ${result.chordae} chordae. Compare it with the input, and review the decisions.`,
     ),
     actions,
     result.fit && fitted(result.fit),
@@ -111,7 +111,7 @@ export function importResult(
     doubts.length > 0 && decisionList(doubts, left),
     picture,
     residual,
-    h('h3', {}, 'What was decided'),
+    h('h3', {}, 'Decisions'),
     decisionList(
       result.decisions.filter(({ look }) => !look),
       left,
@@ -133,7 +133,7 @@ function fitted(fit: FitResult): HTMLElement {
       'leak',
       `${withUnit(leak.before, 'mm²')} before, ${withUnit(leak.fitted, 'mm²')} ± ${withUnit(leak.sd, 'mm²')} after`,
     ],
-    ['told by the surface', `${known} of ${parameters.length} unknowns`],
+    ['constrained by the surface', `${known} of ${parameters.length} parameters`],
   ]
   return h(
     'section',
@@ -143,7 +143,7 @@ function fitted(fit: FitResult): HTMLElement {
       { class: parts.figures },
       ...figures.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))),
     ),
-    !fit.finished && h('p', { class: parts.warn }, 'The fit was stopped before it came to rest.'),
+    !fit.finished && h('p', { class: parts.warn }, 'The fit was stopped before convergence.'),
   )
 }
 

@@ -25,7 +25,7 @@ export function landmarkList(viewer: () => InputViewer): LandmarkList {
   function row(key: PlaceKey, label: string) {
     const input = h('input', {
       type: 'text',
-      placeholder: 'found by itself',
+      placeholder: 'detected',
       'aria-label': `${label}: x, y, z as given`,
       onchange: () => {
         const place = readPlace(input.value)
@@ -45,8 +45,8 @@ export function landmarkList(viewer: () => InputViewer): LandmarkList {
     rows.get(key)?.pick.setAttribute('aria-pressed', 'true')
     const isOnAnnulus = ON_ANNULUS.has(key)
     said.textContent = isOnAnnulus
-      ? 'Click the place on the annulus.'
-      : 'Look from the side and click where the tip is; it is put at the depth of the middle of the valve.'
+      ? 'Click the landmark on the annulus.'
+      : 'View the valve from the side and click the tip; it is placed at the depth of the middle of the valve.'
     const shown = viewer()
     shown.element.scrollIntoView({ block: 'nearest' })
     if (!isOnAnnulus) shown.view('anterior')
@@ -71,7 +71,7 @@ export function landmarkList(viewer: () => InputViewer): LandmarkList {
       PLACES.flatMap(([key, text]) => (chosen.has(key) ? [{ place: chosen.get(key) as Vector, text }] : [])),
     )
     const tips = TIPS.filter(([key]) => chosen.has(key))
-    if (tips.length === 1) said.textContent = 'Papillary tips count once both are picked.'
+    if (tips.length === 1) said.textContent = 'Papillary tips are used once both are picked.'
     else said.textContent = ''
   }
 
@@ -91,7 +91,7 @@ export function landmarkList(viewer: () => InputViewer): LandmarkList {
       h(
         'p',
         { class: parts.hint },
-        'What is left empty is found by itself. Commissures count if both are given, tips where chordae are drawn.',
+        'Empty fields are detected. Commissures are used if both are given, tips if chordae are synthesised.',
       ),
       h('ul', { class: valveStyle.landmarks }, ...[...rows.values()].map(({ element }) => element)),
       said,

@@ -85,7 +85,7 @@ function row(name: string, values: string[], of?: Term): HTMLElement {
 function distrust(closure: Closure, which: string): HTMLElement | null {
   if (closure.status === 'converged' && !closure.crossing) return null
   const why = closure.crossing
-    ? 'leaflets pass through each other'
+    ? 'the leaflets cross'
     : `the closure did not converge (${closure.status.replace('_', ' ')})`
-  return h('p', { class: parts.bad, role: 'alert' }, `Do not trust the figures ${which}: ${why}.`)
+  return h('p', { class: parts.bad, role: 'alert' }, `The results ${which} are unreliable: ${why}.`)
 }

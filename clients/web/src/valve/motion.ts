@@ -59,7 +59,7 @@ export class Motion {
       field('Open to closed', this.slider),
       h('p', { class: parts.row, role: 'group', 'aria-label': 'State of the valve' }, this.open, this.closed),
       h('p', { class: parts.row }, this.closing.button, this.beat.button),
-      h('p', { class: parts.hint }, 'the path to rest, not real time'),
+      h('p', { class: parts.hint }, 'path to equilibrium, not real time'),
     )
     this.setOpening(null)
   }

@@ -14,7 +14,7 @@ import { presetWords } from './presets'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
-const NO_IMPORT = 'Importing meshes needs coapt-server.'
+const NO_IMPORT = 'Importing meshes requires coapt-server.'
 const OWN = '' // in the list of presets: none of them is open
 const CONTEXT = 60 // characters of the file around a problem
 
@@ -82,7 +82,9 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     problems.replaceChildren(problemList(found, (pointer) => placeOf(text, pointer)))
     if (found.length === 0) return
     said.textContent =
-      found.length === 1 ? 'This cannot be opened: one problem.' : `This cannot be opened: ${found.length} problems.`
+      found.length === 1
+        ? 'The file cannot be opened: one problem.'
+        : `The file cannot be opened: ${found.length} problems.`
   }
 
   const imports = HAS_SERVICE
@@ -102,7 +104,11 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
       'div',
       { class: parts.row },
       filePicker('Your file', 'Open a file', { accept: '.json,application/json', use: (files) => void take(files) }),
-      h('span', { class: parts.hint }, `A valve in coapt’s JSON. Drop files here${HAS_SERVICE ? ', meshes too' : ''}.`),
+      h(
+        'span',
+        { class: parts.hint },
+        `A coapt valve file (JSON). Drop files here${HAS_SERVICE ? ', including meshes' : ''}.`,
+      ),
     ),
     !HAS_SERVICE && h('p', { class: parts.hint }, NO_IMPORT),
     imports.element,
@@ -134,7 +140,7 @@ function presetChoice(names: string[], choose: (name: string) => void): HTMLSele
   const element = h(
     'select',
     { onchange: () => choose(element.value) },
-    h('option', { value: OWN, hidden: true }, 'none: an own valve is open'),
+    h('option', { value: OWN, hidden: true }, 'none (own valve)'),
   )
   for (const group of ['Human', 'Disease', 'Porcine', 'Others'] as const) {
     const of = names.filter((name) => (presetWords(name)?.group ?? 'Others') === group)

@@ -9,7 +9,7 @@ export const ROLES = [
   ['annulus', 'annulus'],
   ['chordae', 'chordae'],
   ['tips', 'papillary tips'],
-  ['surface', 'closed leaflets, to fit to'],
+  ['surface', 'closed leaflets (target of the fit)'],
   ['folder', 'file of a SlicerHeart folder'],
   ['none', 'not used'],
 ] as const

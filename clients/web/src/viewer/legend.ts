@@ -15,7 +15,7 @@ export function kindsOn(scenes: readonly ValveShape[], hasRing = false): Kind[] 
     [TINTS.anterior, 'anterior leaflet'],
     [TINTS.posterior, 'posterior leaflet'],
     [TINTS.commissure, 'commissures'],
-    [TINTS.opening, 'where it is open, darker where it is wider'],
+    [TINTS.opening, 'opening, darker where wider'],
     chordae.some(({ ruptured }) => ruptured) && [TINTS.ruptured, 'ruptured chorda'],
     isAdded && [TINTS.added, 'suture or neochorda'],
     hasRing && [TINTS.ring, 'ring'],

@@ -52,7 +52,7 @@ test('a plan that is kept in one tab is listed in the other, by its new name, an
   await page.getByRole('textbox', { name: 'Name of small ring' }).waitFor()
   await page.reload()
   await page.getByRole('button', { name: 'Remove small ring' }).click()
-  await second.getByText('Keep a repair to find it here again').waitFor()
+  await second.getByText('Keep a repair to compare and score it here').waitFor()
   await second.close()
 })
 

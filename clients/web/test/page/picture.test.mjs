@@ -50,7 +50,7 @@ test('an SVG has its size in millimetres, and words, scale bar, leak and notice 
     />10 mm</,
     />A2</,
     />\d+ mm²</,
-    /where it is open/,
+    /opening, darker where wider/,
     /coapt: research software, not a medical device/,
   ])
     assert.match(drawing, new RegExp(words))

@@ -116,22 +116,20 @@ test('an answer is asked for at once, one at a time, and the focus stays at the 
   let go
   answer = new Promise((resolve) => (go = resolve))
   await panel().getByRole('button', { name: 'This one plan 2' }).press('Enter')
-  assert.ok(await panel().getByRole('button', { name: 'Cannot tell' }).isDisabled())
+  assert.ok(await panel().getByRole('button', { name: 'Cannot decide' }).isDisabled())
   go()
   await asks('Plan 3 or plan 1?')
-  await says(
-    '1 question answered. Plan 3 is most likely the one that you would prefer to all others (probability 61 %).',
-  )
+  await says('1 question answered. Plan 3 is most likely your preferred plan (probability 61 %).')
   assert.equal(await page.locator(':focus').textContent(), 'Plan 3 or plan 1?')
   assert.equal(asked.length, 2)
   assert.deepEqual(asked[1].answers, [{ case: job, first: 2, second: 1, answer: 'first' }])
-  await panel().getByText('No weight is known better than before').waitFor()
+  await panel().getByText('Your answers have not narrowed any weight yet').waitFor()
 })
 
 test('answers survive a reload; plans are ordered by what they say, times the sliders', async () => {
   await open()
   await asks('Plan 3 or plan 1?')
-  await press('Cannot tell')
+  await press('Cannot decide')
   await asks('Plan 2 or plan 3?')
   const cells = panel().locator('[data-part=informed] tbody tr')
   assert.deepEqual(await cells.locator('th, td').allTextContents(), [
@@ -141,19 +139,19 @@ test('answers survive a reload; plans are ordered by what they say, times the sl
     '× 2.00',
   ])
   assert.deepEqual(await names(), ['1.', '2.', '3.'])
-  const order = panel().getByLabel('Order the plans by what was learned')
+  const order = panel().getByLabel('Rank plans by the learned weights')
   await order.check()
   assert.deepEqual(await names(), ['2.', '1.', '3.'])
-  assert.equal(await title(), '3 ranked plans, best first by what was learned')
+  assert.equal(await title(), '3 ranked plans, best first by the learned weights')
   assert.match(
     await page.locator('[data-part=why]').textContent(),
-    /^By what was learned plan 2 stands first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
+    /^By the learned weights plan 2 ranks first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
   )
   const operation = page.getByRole('slider', { name: /^Operation:/ })
   await operation.focus()
   for (let i = 0; i < 2; ++i) await page.keyboard.press('ArrowLeft') // × 0.5: 2.1, 1.4 and 1.5
   assert.deepEqual(await names(), ['2.', '3.', '1.'])
-  assert.equal(await title(), '3 ranked plans, best first by what was learned and your weights')
+  assert.equal(await title(), '3 ranked plans, best first by the learned weights and your weights')
   await page.getByRole('button', { name: 'Reset', exact: true }).click()
   for (const [colorScheme, width] of [
     ['dark', 1280],
@@ -169,7 +167,7 @@ test('answers survive a reload; plans are ordered by what they say, times the sl
   assert.equal(await title(), '3 ranked plans, best first')
 })
 
-test('what was learned is saved as a search takes it', async () => {
+test('the learned weights is saved as a search takes it', async () => {
   const [file] = await Promise.all([page.waitForEvent('download'), press('Save the weights (JSON)')])
   assert.equal(file.suggestedFilename(), 'weights.json')
   const { schema, weights } = JSON.parse(readFileSync(await file.path(), 'utf8'))
@@ -178,15 +176,15 @@ test('what was learned is saved as a search takes it', async () => {
 
 test('the last answer is taken back, all are forgotten; then plans have the order of the search', async () => {
   await press('This one plan 3')
-  await asks('No question is left: every pair was asked.')
-  await press('Take back the last answer')
+  await asks('No question is left; all pairs have been compared.')
+  await press('Undo the last answer')
   await asks('Plan 2 or plan 3?')
-  await panel().getByLabel('Order the plans by what was learned').check()
+  await panel().getByLabel('Rank plans by the learned weights').check()
   await press('Start again')
   await says('No question answered yet.')
   assert.equal(await title(), '3 ranked plans, best first')
   assert.equal(await panel().locator('[data-part=learned]').isVisible(), false)
-  assert.ok(await panel().getByRole('button', { name: 'Take back the last answer' }).isDisabled())
+  assert.ok(await panel().getByRole('button', { name: 'Undo the last answer' }).isDisabled())
 })
 
 test('an answer that the service does not take is not kept; an older service is told as one', async () => {
@@ -196,10 +194,10 @@ test('an answer that the service does not take is not kept; an older service is 
   await press('This one plan 2')
   await panel().locator('[data-part=problems]', { hasText: 'first is 9' }).waitFor()
   await asks('Plan 2 or plan 1?')
-  assert.ok(await panel().getByRole('button', { name: 'Take back the last answer' }).isDisabled())
+  assert.ok(await panel().getByRole('button', { name: 'Undo the last answer' }).isDisabled())
   await refuse(404, { title: 'Not Found' })
   await open()
-  await panel().getByText('This service cannot learn preferences: it is older than this page.').waitFor()
+  await panel().getByText('This service cannot learn preferences because it is older than this page.').waitFor()
   await accessible()
   for (const said of complaints.splice(0)) assert.match(said, /404/)
 })

@@ -89,7 +89,7 @@ test('a neochorda is placed by clicking the leaflet and a papillary head', async
   await page.mouse.up()
   await page.getByRole('button', { name: 'From the atrium' }).click()
   await settled()
-  assert.match(await page.locator('[data-part=picking]').textContent(), /Click where the neochorda/)
+  assert.match(await page.locator('[data-part=picking]').textContent(), /Click the insertion of the neochorda/)
   await page.mouse.click(x, y)
   await page.locator('[data-part=picking]', { hasText: 'papillary head' }).waitFor()
   await page.getByRole('button', { name: 'From the ventricle' }).click()
@@ -147,7 +147,7 @@ test('accepted plans are kept, scored, saved and loaded', async () => {
   await page.getByRole('button', { name: 'Keep this repair' }).click()
   await page.getByText('Kept as “plan 1”.').waitFor()
   await page.getByRole('button', { name: 'Keep this repair' }).click()
-  await page.getByText('This repair is kept already').waitFor()
+  await page.getByText('This repair is already kept').waitFor()
   assert.equal(await page.getByRole('textbox', { name: /^Name of/ }).count(), 1)
   await page.getByRole('button', { name: 'Score plans' }).click()
   await page.getByText(/Best: plan 1\. Leak/).waitFor()
@@ -169,7 +169,7 @@ test('accepted plans are kept, scored, saved and loaded', async () => {
   await page.getByText('1 loaded from plans.json.').waitFor()
   writeFileSync(join(service.folder, 'no-plan.json'), '{"a": 1}')
   await page.getByLabel('Plans to load').setInputFiles(join(service.folder, 'no-plan.json'))
-  await page.getByText('the file holds no plan').waitFor()
+  await page.getByText('the file contains no plan').waitFor()
 })
 
 test('what is repaired is saved as other programs read it', async () => {

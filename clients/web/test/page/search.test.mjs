@@ -54,7 +54,7 @@ test('a search that is cancelled shows the best so far', async () => {
   await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor() // before, and with the plan
   await accessible()
   await page.getByRole('button', { name: 'Cancel' }).click()
-  await page.getByText('The search was cancelled; this is the best so far.').waitFor()
+  await page.getByText('The search was cancelled; these are the best plans so far.').waitFor()
   assert.ok((await page.locator('[data-part=plan]').count()) > 0)
 })
 
@@ -118,7 +118,7 @@ test('a plan shows the figures of the result', async () => {
   const leak = page
     .locator('[data-part=plan]')
     .first()
-    .locator('dl > div', { hasText: 'Leak over the region' })
+    .locator('dl > div', { hasText: 'Leak with errors of execution' })
     .locator('dd')
   assert.equal(await leak.textContent(), `${mean.toFixed(1)} ± ${sd.toFixed(1)} mm²`)
   assert.deepEqual(
@@ -153,7 +153,7 @@ test('what plans trade is drawn, told plan by plan, and stands in a table', asyn
   await page.reload()
   const { plans } = await resultOf()
   const trade = page.locator('[data-part=trade-off]')
-  const plot = trade.getByRole('img', { name: /^Leak against opening in diastole\. Up and to the left is better/ })
+  const plot = trade.getByRole('img', { name: /^Leak versus diastolic opening\. Up and to the left is better/ })
   await plot.focus()
   await page.keyboard.press('ArrowRight')
   const [{ leak_mm2, opening_area_mm2 }] = plans
@@ -174,8 +174,8 @@ test('what plans trade is drawn, told plan by plan, and stands in a table', asyn
   await rows('as-table').first().waitFor()
   assert.deepEqual(await rows('as-table').allTextContents(), ['Before', '1', '2', 'A'])
   assert.deepEqual(await rows('front').allTextContents(), ['A', '2'])
-  await trade.getByRole('list', { name: 'Outlasts further disease of' }).waitFor()
-  await trade.getByText('A, B, …: on the Pareto front, not ranked').waitFor()
+  await trade.getByRole('list', { name: 'Reserve against progression' }).waitFor()
+  await trade.getByText('A, B, …: Pareto-optimal, not ranked').waitFor()
   await accessible()
   await page.unroute('**/v1/jobs/*/result')
 })
@@ -207,7 +207,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   const back = ranked.getByRole('button', { name: 'Reset', exact: true })
   assert.ok(await back.isDisabled())
   await ranked.getByText('ties with 2').waitFor()
-  await ranked.getByText('The same for all these plans.').first().waitFor() // neither has a price of opening
+  await ranked.getByText('The same for all plans.').first().waitFor() // neither has a price of opening
   await ranked.getByRole('slider', { name: /^Leak:/ }).focus()
   await page.keyboard.press('ArrowRight') // × 1.5: 2.2 and 2.3
   assert.deepEqual(await names(), ['1.', '2.'])
@@ -217,7 +217,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   assert.deepEqual(await ranked.locator('tbody td:nth-child(3)').allTextContents(), ['', '2.40', '2.60'])
   assert.match(
     await why.textContent(),
-    /^By your weights plan 2 stands first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
+    /^By your weights plan 2 ranks first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
   )
   await ranked.getByText('2 → 1', { exact: false }).waitFor()
   await ranked.getByText('moved from place 1 to 2').waitFor({ state: 'attached' })

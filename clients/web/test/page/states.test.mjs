@@ -206,7 +206,7 @@ test('a search: asked for, refused, running, failed, done, compared', async () =
     Closures: '3000',
     'Region points': '5',
     'Plans to show': '2',
-    'Draws of the model': '0',
+    'Tissue variants': '0',
     'Mesh refined': '0',
   }
   for (const [label, value] of Object.entries(fields))
@@ -268,7 +268,7 @@ test('live: at rest, pulled, and while something is picked', async () => {
   await page.locator('[data-part=labels]', { hasText: 'P2' }).waitFor()
   await press('P2')
   for (let i = 0; i < 6; ++i) await press('Lift')
-  await page.locator('[data-part=live-state]', { hasText: 'Pulled by a hook' }).waitFor()
+  await page.locator('[data-part=live-state]', { hasText: 'Pulled by one hook' }).waitFor()
   await press('From the ventricle')
   await looksWell('live-pulled', { theme: 'dark' })
   await press('Let go')
@@ -313,7 +313,7 @@ test('the palette, with and without what is sought', async () => {
   await page.locator('#palette-list', { hasText: 'human-normal' }).waitFor()
   await looksWell('palette')
   await page.getByLabel('Find a command').fill('nothing of this name')
-  await page.getByText('Nothing has this name').waitFor()
+  await page.getByText('Nothing found').waitFor()
   await looksWell('palette-empty', { theme: 'dark' })
   await page.getByLabel('Find a command').fill('ring classic 30')
   await page.locator('#palette-list [role=option]', { hasText: 'generic-classic, size 30' }).waitFor()
@@ -340,7 +340,7 @@ test('without the engine live and training are not offered; who asks for them is
   await without.page.getByRole('link', { name: 'Live', exact: true }).waitFor({ state: 'hidden' })
   assert.equal(await without.page.getByRole('link', { name: 'Train', exact: true }).isVisible(), false)
   await without.page.evaluate(() => (location.hash = '#/live'))
-  await without.page.getByText('which is not installed beside this page').first().waitFor()
+  await without.page.getByText('which is not installed').first().waitFor()
   await looksWell('no-engine', { of: without.page, said: [] }) // the browser reports the answer 404
   await without.page.context().close()
 })
@@ -375,7 +375,7 @@ test('the service is away', async () => {
   await left.page.getByRole('button', { name: 'Ring', exact: true }).waitFor()
   await lonely.kill()
   await press('Ring', left.page)
-  await left.page.locator('[data-part=notices]').getByText('The service does not answer').waitFor()
+  await left.page.locator('[data-part=notices]').getByText('The service does not respond').waitFor()
   await looksWell('offline', { of: left.page, said: [] })
   await left.page.context().close()
 })

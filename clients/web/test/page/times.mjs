@@ -1,4 +1,4 @@
-// How fast the page is here: the first view, a repair from letting go to its picture, pictures a second while a fine
+// How fast the page is here: the first view, a repair from letting go to its picture, frames per second while a fine
 // valve closes. `node times.mjs`; figures are of this machine, without a graphics card.
 import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
@@ -78,7 +78,7 @@ const frames = await fine.evaluate(
 )
 const between = frames.slice(1).map((time, i) => time - frames[i])
 console.log(
-  `2,600 triangles closing, software rendering at 1280 x 800: ${(1000 / middle(between)).toFixed(0)} pictures a second`,
+  `2,600 triangles closing, software rendering at 1280 x 800: ${(1000 / middle(between)).toFixed(0)} frames per second`,
 )
 
 await browser.close()

@@ -107,14 +107,14 @@ test('what the valve does stands beside what was measured in hearts, until anoth
     await fetch(`${service.url}/v1/physiology`, { method: 'POST', body: '{"valve": "human-functional-mr"}' })
   ).json()
   const panel = page.locator('[data-part=hearts]')
-  await panel.getByRole('button', { name: 'Compare with hearts' }).click()
+  await panel.getByRole('button', { name: 'Compare with measurements' }).click()
   await panel.getByRole('progressbar').waitFor()
   const met = rows.filter(({ verdict }) => verdict === 'met').length
   const ranges = rows.filter(({ low }) => low !== null).length
-  await panel.getByText(`${met} of ${ranges} ranges met.`).waitFor()
+  await panel.getByText(`${met} of ${ranges} quantities are within their ranges.`).waitFor()
   assert.ok(await panel.getByText('The ranges are those of human valves with functional regurgitation').isVisible())
   assert.equal(await panel.getByRole('progressbar').count(), 0)
-  const table = panel.getByRole('group', { name: 'This valve beside hearts' })
+  const table = panel.getByRole('group', { name: 'This valve compared with measured hearts' })
   assert.equal(await table.locator('tbody tr').count(), rows.length)
   const leak = rows.find(({ quantity }) => quantity === 'leak')
   const row = table.locator('tr', { hasText: leak.what })
@@ -305,7 +305,7 @@ test('it says on every view that it is for research only, and what is not modell
     await page.locator('nav [aria-current]', { hasText: view }).waitFor()
     assert.ok(await page.getByText('Research use only, not a medical device').isVisible())
   }
-  await page.getByText('What is not modelled').click()
+  await page.getByText('Model limitations').click()
   assert.ok((await page.locator('footer li').count()) >= 4)
   assert.ok(await page.getByText('Blood flow').isVisible())
 })

@@ -18,7 +18,7 @@ const headline = () => page.locator('[data-part=headline]:visible').first().text
 const leaks = () => page.evaluate(() => globalThis.coapt.state().leak_mm2)
 const answered = () => page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
 const view = (name) => page.getByRole('link', { name, exact: true }).click()
-const notice = (page_) => page_.locator('[data-part=notices]').getByText('The service does not answer')
+const notice = (page_) => page_.locator('[data-part=notices]').getByText('The service does not respond')
 const jobOf = () => page.evaluate(() => new URLSearchParams(location.hash.split('?')[1]).get('job'))
 /// Repair's panel as it is meant to be: steps one below the other, a slider that is wide enough to be dragged.
 async function panelIsWhole() {
@@ -53,7 +53,7 @@ test('the valve fills the stage at every size, and its leak is the largest text'
 
 test('a word explains itself', async () => {
   await page.getByRole('button', { name: 'Tenting area' }).click()
-  await page.locator('[data-part=help]', { hasText: 'negative where' }).waitFor()
+  await page.locator('[data-part=help]', { hasText: 'count as negative' }).waitFor()
   await page.keyboard.press('Escape')
   await page.locator('[data-part=help]').waitFor({ state: 'hidden' })
 })

@@ -68,7 +68,7 @@ test('the mouse grabs tissue, pulls it with a force, and lets it go: the valve b
   }
   await page.waitForFunction(() => globalThis.coapt.live.forceN() > 0.5)
   await page.mouse.wheel(0, -400)
-  await page.locator('[data-part=live-state]', { hasText: 'Pulled by a hook' }).waitFor()
+  await page.locator('[data-part=live-state]', { hasText: 'Pulled by one hook' }).waitFor()
   await page.locator('[data-part=hook] [data-part=force]', { hasText: /[1-9].* N/ }).waitFor()
   assert.ok(rms(await vertices(), first) > 0.2)
   assert.ok((await state()).latency_ms > 0)
@@ -81,7 +81,7 @@ test('the mouse grabs tissue, pulls it with a force, and lets it go: the valve b
 
 test('a hook that is pinned stays, and the next press is the other one', async () => {
   const { x, y } = await tissue()
-  await page.getByLabel('Pin hooks where they are let go').check()
+  await page.getByLabel('Keep hooks in place after release').check()
   await page.mouse.move(x, y)
   await page.mouse.down()
   await page.mouse.move(x, y - 30)
@@ -100,7 +100,7 @@ test('a hook that is pinned stays, and the next press is the other one', async (
   await isFree(0)
   assert.ok((await force(1)) > 0)
   await page.getByRole('button', { name: 'Let go of hook 2' }).click()
-  await page.getByLabel('Pin hooks where they are let go').uncheck()
+  await page.getByLabel('Keep hooks in place after release').uncheck()
   await atRest()
 })
 
@@ -194,7 +194,7 @@ test('where browser or engine is missing the page says what', async () => {
   const other = await context.newPage()
   await other.addInitScript(() => (WebAssembly.validate = () => false))
   await other.goto(`${files.url}/#live`)
-  await other.getByText('This needs WebAssembly with SIMD').waitFor()
+  await other.getByText('This view requires WebAssembly with SIMD').waitFor()
   await context.close()
 })
 

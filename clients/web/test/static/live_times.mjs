@@ -24,7 +24,7 @@ for (let done = 0; done < STEPS; done += 300) {
 const seconds = (performance.now() - began) / 1000
 const busy = process.cpuUsage(cpu).user / 1e6
 console.log(
-  `node, ${name}: ${Math.round(STEPS / seconds)} steps a second of wall time, ${Math.round(STEPS / busy)} of processor time`,
+  `node, ${name}: ${Math.round(STEPS / seconds)} steps per second of wall time, ${Math.round(STEPS / busy)} of processor time`,
 )
 
 const files = await startFiles(STATIC)
@@ -62,8 +62,8 @@ for (const [width, height] of [
   }))
   await page.mouse.up()
   console.log(
-    `Chromium, canvas ${Math.round(box.width)} x ${Math.round(box.height)}: ${Math.round(rate)} steps a second, ${Math.round(pictures)} pictures a second; ` +
-      `from drag to picture ${Math.round(share(seen, 0.5))} ms median, ${Math.round(share(seen, 0.95))} ms 95th percentile, ${Math.round(share(seen, 0))} ms least, of ${seen.length}`,
+    `Chromium, canvas ${Math.round(box.width)} x ${Math.round(box.height)}: ${Math.round(rate)} steps per second, ${Math.round(pictures)} frames per second; ` +
+      `latency ${Math.round(share(seen, 0.5))} ms median, ${Math.round(share(seen, 0.95))} ms 95th percentile, ${Math.round(share(seen, 0))} ms least, of ${seen.length}`,
   )
   await page.close()
 }

@@ -80,7 +80,7 @@ test('what needs coapt-server is not there, or says so', async () => {
   assert.equal(await page.getByRole('button', { name: 'Report' }).count(), 0)
   assert.equal(await page.getByRole('button', { name: 'Save file' }).count(), 0)
   await page.getByRole('link', { name: 'Studies' }).click()
-  await page.getByText('Studies of a valve need coapt-server.').waitFor()
+  await page.getByText('Studies of a valve require coapt-server.').waitFor()
   assert.deepEqual(await accessProblems(page), [])
 })
 
@@ -108,7 +108,7 @@ test('a search finds the plans of coapt plan', async () => {
   await page.locator('[data-part=form] details', { hasText: 'Optimiser' }).evaluate((fold) => (fold.open = true))
   await set('Region points', '5')
   await set('Mesh refined', '0')
-  await set('Draws of the model', '0')
+  await set('Tissue variants', '0')
   await page.getByLabel('Evidence').uncheck()
   await startSearch('40')
   await page.locator('[data-part=plan]').nth(1).waitFor({ timeout: PATIENCE_MS })

@@ -26,7 +26,7 @@ test('the headline counts workers that are alive and runs that are open', () => 
   expect(headline({ runs: [{ ...run, state: 'done' }], workers: [worker, worker] })).toBe(
     '2 workers compute 241/s; no run is open.',
   )
-  expect(headline({ runs: [run, run], workers: [gone] })).toBe('No worker is alive; 2 runs are open.')
+  expect(headline({ runs: [run, run], workers: [gone] })).toBe('No worker is running; 2 runs are open.')
 })
 
 test('a slow rate has a digit after the point', () => {

@@ -40,7 +40,7 @@ test('an outline ends where it begins', () => {
   expect(line.slice(-6)).toEqual([10, 10, -5, 0, 0, -5])
 })
 
-describe('leaflets with their thickness', () => {
+describe('leaflets, including their thickness', () => {
   it('have two sides of each face and a round edge in four strips', () => {
     const { source, ups, outs } = thickSheet(pyramid())
     expect(source.length).toBe(2 * 12 + 4 * 4 * 6) // the annulus; the pyramid has no free edge

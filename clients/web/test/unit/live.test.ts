@@ -160,7 +160,7 @@ test('the state is told in words', () => {
   expect(stateWords({ ...picture, at_rest: false, beats: true })).toMatch(/beats/)
 })
 
-test('steps a second are of the last second in which the valve moved', () => {
+test('steps per second are of the last second in which the valve moved', () => {
   const rate = new Rate()
   expect(rate.aSecond).toBe(0)
   rate.add(0, 0)

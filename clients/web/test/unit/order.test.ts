@@ -104,7 +104,7 @@ test('the first plan is first by the prices that differ, the largest first', () 
   const first = planOf({ rank: 1, terms: { step: 2, leak: 0.75, coaptation: 0.5 } }) // 2 + 0.75 + 0.25
   const second = planOf({ rank: 2, terms: { step: 2, leak: 0.55, undersizing: 1, coaptation: 0.7 } })
   expect(whyFirst([first, second], WEIGHTS, asSearched)).toBe(
-    'Plan 1 stands first with a cost of 3.00 mm²; plan 2 has 3.40: 0.50 more for undersizing, 0.20 less for leak and 0.10 more for too little coaptation.',
+    'Plan 1 ranks first with a cost of 3.00 mm²; plan 2 has 3.40: 0.50 more for undersizing, 0.20 less for leak and 0.10 more for low coaptation.',
   )
 })
 
@@ -115,14 +115,14 @@ test('as searched plans stay as the rule ranked them', () => {
 
 test('what decided before the cost is the reason', () => {
   expect(whyFirst([planOf({ cost: 5 }), planOf({ rank: 2, cost: 3, robust: false })], WEIGHTS, asSearched)).toBe(
-    'Plan 1 stands first with a cost of 5.00 mm²; plan 2 has 3.00, but it is not acceptable.',
+    'Plan 1 ranks first with a cost of 5.00 mm²; plan 2 has 3.00, but it is not acceptable.',
   )
   expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, opening_mm2: 120 })], WEIGHTS, asSearched)).toBe(
-    'Plan 1 stands first with a cost of 2.00 mm²; plan 2 has 3.00, and it opens to less than 1.5 cm².',
+    'Plan 1 ranks first with a cost of 2.00 mm²; plan 2 has 3.00, and it opens to less than 1.5 cm².',
   )
   const failing = planOf({ rank: 2, cost: 4, robust: false, failures: 6 })
   expect(whyFirst([planOf({ cost: 5, robust: false }), failing], WEIGHTS, asSearched)).toBe(
-    'Plan 1 stands first with a cost of 5.00 mm²; plan 2 has 4.00, but more than a twentieth of its closures over the region failed.',
+    'Plan 1 ranks first with a cost of 5.00 mm²; plan 2 has 4.00, but more than 5 % of its closures with errors of execution failed.',
   )
 })
 
@@ -130,7 +130,7 @@ test('at the reader’s own weights costs and prices are those, and nothing is s
   const weights = at({ leak: 2 })
   const order = reordered([{ ...lesser, tie_with_next: true }, tighter], WEIGHTS, weights)
   expect(whyFirst(order, WEIGHTS, { weights, by: 'your weights' })).toBe(
-    'By your weights plan 2 stands first with a cost of 2.40 mm²; plan 1 has 2.60: 1.20 more for leak and 1.00 less for steps.',
+    'By your weights plan 2 ranks first with a cost of 2.40 mm²; plan 1 has 2.60: 1.20 more for leak and 1.00 less for steps.',
   )
 })
 

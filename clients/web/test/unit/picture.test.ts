@@ -22,7 +22,7 @@ test('a picture says how large the leak is and where, and grades nothing', () =>
   expect(first(leaking(46, []))).toBe('Leak 46 ± 5 mm², 3.0 mm wide') // of a valve that is not mitral
   expect(first(leaking(46))).toBe('Leak 46 ± 5 mm²')
   expect(first(leaking(4, ['AC']))).toBe('Leak 4 ± 5 mm²') // not more than its error
-  expect(first(leaking(null, ['AC']))).toBe('Leak not known')
+  expect(first(leaking(null, ['AC']))).toBe('Leak unknown')
   expect(first(leaking(46, ['P2']), leaking(12, ['A1']))).toBe('Leak 46 → 12 ± 5 mm² at A1, 3.0 mm wide')
 })
 

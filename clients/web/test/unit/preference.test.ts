@@ -60,7 +60,7 @@ test('the standing tells how many were answered, and the likely favourite', () =
       learned: learned({ answers }),
     } as Preference)
   expect(after(0)).toBe('No question answered yet.')
-  const favourite = 'Plan 2 is most likely the one that you would prefer to all others (probability 61 %).'
+  const favourite = 'Plan 2 is most likely your preferred plan (probability 61 %).'
   expect(after(1)).toBe(`1 question answered. ${favourite}`)
   expect(after(12)).toBe(`12 questions answered. ${favourite}`)
 })

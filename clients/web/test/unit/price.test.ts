@@ -19,15 +19,15 @@ test('prices are weights times the amounts that the service states, in the group
   expect(pricesOf(terms)).toEqual({
     leak: 7, // 2, and five times the 1 above 1
     'margin to leak': 0.25,
-    'too little coaptation': 1.5, // half a mm2 for each mm
+    'low coaptation': 1.5, // half a mm2 for each mm
     'distance between the leaflets': 1, // two for each mm
     'chordal tension': 1.5,
-    'gradient in diastole': 16, // two for each of 3 mmHg above 3, ten for the one above 5
-    'disease not outlasted': 1, // a quarter for each mm
+    'diastolic gradient': 16, // two for each of 3 mmHg above 3, ten for the one above 5
+    'reserve against progression': 1, // a quarter for each mm
     steps: 2,
     undersizing: 4.5, // half a mm2 for each of 5 sizes, two for the fifth
-    'papillary movement': expect.closeTo(4.4), // 12 fifths, two above 10
-    'closures that failed': 100,
+    'papillary displacement': expect.closeTo(4.4), // 12 fifths, two above 10
+    'failed closures': 100,
   })
 })
 
@@ -43,10 +43,10 @@ test('an amount that the finer mesh makes negative lowers the price', () => {
 test('a factor multiplies the prices of its objective alone, and none those of failed closures', () => {
   const terms = { leak: 1, gradient_above_3: 1, durability: 4, step: 1, untrusted: 0.0001 }
   const doubled = (objective: string) => pricesOf(terms, { ...AS_SEARCHED, [objective]: 2 })
-  const own = { leak: 1, 'gradient in diastole': 2, 'disease not outlasted': 1, steps: 1, 'closures that failed': 1 }
+  const own = { leak: 1, 'diastolic gradient': 2, 'reserve against progression': 1, steps: 1, 'failed closures': 1 }
   expect(doubled('leak')).toEqual({ ...own, leak: 2 })
-  expect(doubled('opening')).toEqual({ ...own, 'gradient in diastole': 4 })
-  expect(doubled('durability')).toEqual({ ...own, 'disease not outlasted': 2 })
+  expect(doubled('opening')).toEqual({ ...own, 'diastolic gradient': 4 })
+  expect(doubled('durability')).toEqual({ ...own, 'reserve against progression': 2 })
   expect(doubled('operation')).toEqual({ ...own, steps: 2 })
 })
 

@@ -101,9 +101,9 @@ test('events are put together from parts that come as they like', () => {
 })
 
 test('what is not known is said so', () => {
-  expect(number(null)).toBe('not known')
+  expect(number(null)).toBe('unknown')
   expect(number(-0.01)).toBe('0.0')
-  expect(withUnit(NaN, 'mm')).toBe('not known')
+  expect(withUnit(NaN, 'mm')).toBe('unknown')
   expect(withUnit(1.25, 'mm', 2)).toBe('1.25 mm')
   expect(percent(0.31)).toBe('31 %')
   expect(seconds(75)).toBe('1 min 15 s')

@@ -58,7 +58,7 @@ test('what looks the same is the same', () => {
 })
 
 test('means that differ by less than their spread are not told apart', () => {
-  const mean = figure('Leak over the region, mean')
+  const mean = figure('Leak with errors of execution, mean')
   expect(judge(mean, plan({ mean: 1, sd: 0.5 }), plan({ mean: 1.4, sd: 0.1 }))).toBe('within')
   expect(judge(mean, plan({ mean: 1, sd: 0.5 }), plan({ mean: 1.6, sd: 0.1 }))).toBe('first')
 })
@@ -99,16 +99,16 @@ test('errors of length are of sutures where there are some', () => {
 })
 
 test('an unknown mean is not zero', () => {
-  expect(meanAndSd({ mean: null, sd: null })).toBe('not known')
+  expect(meanAndSd({ mean: null, sd: null })).toBe('unknown')
   expect(meanAndSd({ mean: 0.04, sd: 0.1 })).toBe('0.0 ± 0.1 mm²')
 })
 
 test('plans of a class cannot be told apart, also across ranks between', () => {
   const tied = [plan({ rank: 1, tie: true, ahead: 0.75 }), plan({ rank: 2, tie: true }), plan({ rank: 3 })] as const
-  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Plans 1 and 2 cannot be told apart.')
-  expect(tieWords(tied[0], tied[2], [...tied])).toBe('Plans 1 and 3 cannot be told apart.')
+  expect(tieWords(tied[0], tied[1], [...tied])).toBe('Plans 1 and 2 are equivalent.')
+  expect(tieWords(tied[0], tied[2], [...tied])).toBe('Plans 1 and 3 are equivalent.')
   const apart = [plan({ rank: 1, ahead: 1 }), plan({ rank: 2 }), plan({ rank: 3 })] as const
-  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Plan 1 is rightly before plan 2 with a probability of 100 %.')
+  expect(tieWords(apart[0], apart[1], [...apart])).toBe('Plan 1 is better than plan 2 with a probability of 100 %.')
   expect(tieWords(apart[0], apart[2], [...apart])).toBeNull()
 })
 
@@ -118,7 +118,7 @@ test('a plan whose closures failed is doubted', () => {
     doubts({ ...plan({}), status: 'step_limit', crossing: true, region_failures: 2, region_closures: 65 }),
   ).toEqual([
     'The closure did not converge (step limit).',
-    'Leaflets pass through each other.',
-    '2 of 65 closures over the region failed and are left out.',
+    'The leaflets cross.',
+    '2 of 65 closures with errors of execution failed and are excluded.',
   ])
 })

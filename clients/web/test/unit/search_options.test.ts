@@ -105,7 +105,7 @@ test('what was asked is said in short', () => {
       seconds: 30,
       rules: { forbidden: ['papillary_approximation', 'annuloplasty:own'], most_neochordae: 2 },
     }),
-  ).toBe('no sutures, without own-shape ring, at most 2 neochordae, at most 30 s, 2,500 closures')
+  ).toBe('no sutures, without annulus-shaped ring, at most 2 neochordae, at most 30 s, 2,500 closures')
   expect(inShort({ rules: { forbidden: ['papillary_approximation:anterolateral'], chordal_excision: true } })).toBe(
     'sutures of the posteromedial muscle only, cut strut chordae',
   )

@@ -33,7 +33,7 @@ test('as far as was tried is a least margin; of what leaks as planned there is n
   expect(marginOf(all, -1)).toBeNull()
 })
 
-test('a closure that is not to be trusted counts as not tried', () => {
+test('a closure that is unreliable counts as not tried', () => {
   expect(marginOf([cone([0]), cone([1]), sample([2], null), sample([3], 9)], 5)).toEqual({ mm: 1, isMore: true })
 })
 

@@ -24,8 +24,7 @@ test('a point has mean + sd of the leak, the smaller opening in cm2, and a level
     x: 0.5,
     y: 2.9,
     name: '1',
-    words:
-      'Plan 1: leak 0.5 mm² (mean + sd), opening 2.9 cm², outlasts 12.0 mm or more of further disease, Pareto-optimal.',
+    words: 'Plan 1: leak 0.5 mm² (mean + sd), opening 2.9 cm², reserve 12.0 mm or more, Pareto-optimal.',
     level: 5,
     isRinged: true,
     isSmall: false,
@@ -64,7 +63,7 @@ test('of the Pareto front only plans that are not ranked, and were opened, get a
     y: 4.2,
     name: 'A',
     words:
-      'Plan A: leak 0.3 mm² (mean + sd), opening 4.2 cm², outlasts 3.5 mm of further disease, on the Pareto front. Not ranked: closed at 17 region points only.',
+      'Plan A: leak 0.3 mm² (mean + sd), opening 4.2 cm², reserve 3.5 mm, Pareto-optimal. Not ranked, because it was closed at only 17 region points.',
     level: 1,
     isRinged: true,
     isSmall: true,
@@ -72,14 +71,14 @@ test('of the Pareto front only plans that are not ranked, and were opened, get a
   expect(points[2]).toMatchObject({
     level: null,
     words:
-      'Plan C: leak 0.3 mm² (mean + sd), opening 3.0 cm², on the Pareto front. Not ranked: closed at 17 region points only.',
+      'Plan C: leak 0.3 mm² (mean + sd), opening 3.0 cm², Pareto-optimal. Not ranked, because it was closed at only 17 region points.',
   })
   expect(tradeSummary(result)).toContain('Letters name 2 plans of the Pareto front that are not ranked.')
 })
 
 test('the summary says what can be seen', () => {
   expect(tradeSummary(resultOf(PLANS))).toBe(
-    'Up and to the left is better: leak 0.5 to 1.3 mm² (mean + sd), opening 2.9 to 4.0 cm². They outlast 5.9 to 12.0 mm of further disease, of 12 tried. Pareto-optimal: plans 1 and 2. Before repair: 33.6 mm² and 3.7 cm².',
+    'Up and to the left is better: leak 0.5 to 1.3 mm² (mean + sd), opening 2.9 to 4.0 cm². Their reserve against progression is 5.9 to 12.0 mm, up to the simulated 12 mm. Pareto-optimal: plans 1 and 2. Before repair: 33.6 mm² and 3.7 cm².',
   )
 })
 
@@ -87,15 +86,15 @@ test('what is not known is said, not drawn', () => {
   const unopened = planOf({ rank: 4, opening_mm2: null, durability_mm: null })
   expect(tradePoints(resultOf([unopened], { opening_area_mm2: null }))).toEqual([])
   expect(lacking([unopened])).toEqual([
-    'The opening is not known for any plan (the valve was not opened, or did not come to rest), so there is no chart.',
-    'How much further disease a repair outlasts is not known for any plan (that takes the evidence of a search).',
+    'The opening is unknown for all plans (the valve was not opened, or did not reach equilibrium), so there is no chart.',
+    'The reserve against progression is unknown for all plans (it requires the evidence of a search).',
   ])
   expect(lacking([...PLANS, unopened])).toEqual([
-    'The opening is not known for plan 4 (the valve was not opened, or did not come to rest).',
-    'How much further disease a repair outlasts is not known for plans 3 and 4 (that takes the evidence of a search).',
+    'The opening is unknown for plan 4 (the valve was not opened, or did not reach equilibrium).',
+    'The reserve against progression is unknown for plans 3 and 4 (it requires the evidence of a search).',
   ])
   expect(lacking([planOf({ mean: null })])).toEqual([
-    'The leak over the region is not known for any plan (it was not closed), so there is no chart.',
+    'The leak with errors of execution is unknown for all plans (it was not computed), so there is no chart.',
   ])
   expect(lacking(PLANS.slice(0, 2))).toEqual([])
 })
