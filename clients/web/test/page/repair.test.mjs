@@ -123,7 +123,7 @@ test('a chorda can be chosen by its name, cut, shortened and moved', async () =>
   )
   await page.getByLabel('Action').selectOption('chordal_transfer')
   await page.waitForFunction(() =>
-    /Chorda \S+ moved to P2/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
+    /Chorda \S+ transferred to P2/.test(document.querySelector('[data-part=steps]')?.textContent ?? ''),
   )
 })
 

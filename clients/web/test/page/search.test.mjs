@@ -162,7 +162,7 @@ test('what plans trade is drawn, told plan by plan, and stands in a table', asyn
   const here = trade.locator('[data-part=here]')
   assert.match(
     await here.textContent(),
-    new RegExp(`^Plan 1: leak ${leak} mm² \\(mean \\+ sd\\), opening ${opening} cm², outlasts`),
+    new RegExp(`^Plan 1: leak ${leak} mm² \\(mean \\+ sd\\), opening ${opening} cm², reserve`),
   )
   await page.keyboard.press('ArrowLeft') // stays at the first
   await page.keyboard.press('ArrowRight')
@@ -206,7 +206,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   const why = ranked.locator('[data-part=why]')
   const back = ranked.getByRole('button', { name: 'Reset', exact: true })
   assert.ok(await back.isDisabled())
-  await ranked.getByText('ties with 2').waitFor()
+  await ranked.getByText('equivalent to 2').waitFor()
   await ranked.getByText('The same for all plans.').first().waitFor() // neither has a price of opening
   await ranked.getByRole('slider', { name: /^Leak:/ }).focus()
   await page.keyboard.press('ArrowRight') // × 1.5: 2.2 and 2.3
@@ -221,7 +221,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   )
   await ranked.getByText('2 → 1', { exact: false }).waitFor()
   await ranked.getByText('moved from place 1 to 2').waitFor({ state: 'attached' })
-  assert.equal(await ranked.getByText('ties with 2').count(), 0)
+  assert.equal(await ranked.getByText('equivalent to 2').count(), 0)
   assert.equal(await page.locator('[data-part=plan] h3').first().textContent(), '1.') // a rank remains a name
   await links.first().click()
   assert.equal(await page.getByRole('article', { name: 'Plan of rank 2' }).count(), 1)
@@ -229,7 +229,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   await back.click()
   assert.deepEqual(await names(), ['1.', '2.'])
   assert.match(await why.textContent(), /leaks less than 5 mm² with a probability of \d/)
-  await ranked.getByText('ties with 2').waitFor()
+  await ranked.getByText('equivalent to 2').waitFor()
   page.off('request', listen)
   assert.deepEqual(asked, [])
   await page.unroute('**/v1/jobs/*/result')

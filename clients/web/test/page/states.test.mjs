@@ -252,7 +252,7 @@ test('many valves in a table', async () => {
   await page.getByLabel('Filter').fill('type iiib')
   assert.match(await state.textContent(), /^[1-9]\d* valves/)
   await page.getByLabel('Files of valves').setInputFiles(filesOf([{ name: 'mine.json', text: '{}' }]))
-  await page.locator('[data-part=problems]', { hasText: 'mine.json holds no valve' }).waitFor()
+  await page.locator('[data-part=problems]', { hasText: 'mine.json is not a valve file' }).waitFor()
   await looksWell('cohort-refused', { theme: 'dark' })
   await page.getByLabel('Filter').fill('')
 })

@@ -73,7 +73,7 @@ test('of the Pareto front only plans that are not ranked, and were opened, get a
     words:
       'Plan C: leak 0.3 mm² (mean + sd), opening 3.0 cm², Pareto-optimal. Not ranked, because it was closed at only 17 region points.',
   })
-  expect(tradeSummary(result)).toContain('Letters name 2 plans of the Pareto front that are not ranked.')
+  expect(tradeSummary(result)).toContain('Letters denote 2 unranked plans of the Pareto front.')
 })
 
 test('the summary says what can be seen', () => {
