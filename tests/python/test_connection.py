@@ -183,7 +183,7 @@ class Words(unittest.TestCase):
 
     def test_there_is_no_such_machine(self):
         self.assertIn(
-            "there is no machine called nowhere.invalid",
+            "there is no host named nowhere.invalid",
             self.said("http://nowhere.invalid"),
         )
 
@@ -194,13 +194,13 @@ class Words(unittest.TestCase):
     def test_the_connection_breaks_off(self):
         for answer in (b"", b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\n{"):
             self.assertIn(
-                " broke the connection off: ",
+                " closed the connection: ",
                 self.said(f"http://{self.answering(answer)}"),
             )
 
     def test_no_https_is_spoken(self):
         self.assertIn(
-            " does not speak https: ",
+            " does not support https: ",
             self.said(f"https://{self.answering(b'HTTP/1.1 400 Bad request')}"),
         )
 
@@ -249,7 +249,7 @@ class Hostile(unittest.TestCase):
             coapt.Unreachable
         ) as raised:
             client.presets()
-        self.assertIn("answers with more than", str(raised.exception))
+        self.assertIn("answered with more than", str(raised.exception))
 
     def test_its_words_do_not_move_the_terminal(self):
         body = b'{"title": "\\u001b[2J", "problems": [{"message": "\\u001b]0;pwned\\u0007\\u009b31m\\u202e"}]}'

@@ -55,7 +55,7 @@ class Plots(ClientTest):
     def test_a_map_without_sutures_says_what_its_lengths_are(self):
         plans = self.scored(PLANS / "ring.json", PLANS / "mixed.json", region_points=17).plans
         labels = [self.drawn(plots.leak_map, plan).get_ylabel() for plan in plans]
-        self.assertEqual(labels, ["tip to trigone, mm off the plan", "suture length, mm off the plan"])
+        self.assertEqual(labels, ["tip to trigone error, mm", "suture length error, mm"])
 
     def test_coaptation_is_a_bar_a_section_down_where_leaflets_are_apart(self):
         closure = self.client.close(small_valve())

@@ -51,7 +51,7 @@ class Asking:
         self._transport = transport
 
     def presets(self) -> list[str]:
-        """Names of the valves that coapt brings along."""
+        """Names of the preset valves."""
         return [preset["name"] for preset in self._get("/v1/presets")["presets"]]
 
     def _ask(

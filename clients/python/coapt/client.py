@@ -18,12 +18,12 @@ class Client(Service):
     Client('http://127.0.0.1:8080')
 
     :param url: COAPT_SERVER or http://127.0.0.1:8080 by default
-    :param token: of a service that wants one; COAPT_TOKEN by default
-    :param timeout_s: for an answer to come
-    :param retries: further tries of requests whose answer got lost or that find the service busy (its Retry-After is kept).
+    :param token: access token of the service; COAPT_TOKEN by default
+    :param timeout_s: timeout for an answer
+    :param retries: number of retries of requests whose answer was lost or that found the service busy (respecting Retry-After).
         Jobs carry an idempotency key, so a repeated request makes no second job
-    :param patience_s: how long the service may be away while a job is followed
-    :param plain_http: the token may go over http:// to another machine
+    :param patience_s: how long the service may be unreachable while following a job
+    :param plain_http: allow sending the token over http:// to another machine
     """
 
     def __init__(

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 Status = Literal["converged", "step_limit", "diverged"]
-"""How a closure ended: at rest, not yet at rest, or unstable, without a shape."""
+"""How a closure ended: in equilibrium, before equilibrium, or unstable without a shape."""
 
 Document = Mapping[str, Any]
 
@@ -50,7 +50,7 @@ def known_fields(kind: Any, json: Document) -> dict[str, Any]:
 @dataclass(frozen=True, repr=False)
 class Measure(tables.Short):
     """A closed valve, measured. Errors are numerical (mesh, stopping early, other equilibria), kept by nine of ten measured
-    valves; None of a closure that is not to be trusted. Strains are the 99th percentile over triangles, as shares.
+    valves; None if the closure is unreliable. Strains are the 99th percentile over triangles, as shares.
 
     >>> measure = coapt.preset("human-functional-mr").close().measure
     >>> measure.leak_mm2 == measure.leak.area_mm2, "P2" in measure.leak.openings[0].segments
@@ -60,7 +60,7 @@ class Measure(tables.Short):
     """
 
     leak_mm2: float | None
-    """Of leak: what a competent valve keeps near zero."""
+    """The leak; close to zero for a competent valve."""
     coaptation_height_mean_mm: float | None
     """Over nine sections from commissure to commissure; 0 where leaflets do not touch."""
     coaptation_height_min_mm: float | None
@@ -131,15 +131,15 @@ class Closure(tables.Short):
     valve: str
     """Name of the valve."""
     status: Status
-    """"converged" (at rest), "step_limit" (not yet) or "diverged" (there is no shape)."""
+    """"converged" (in equilibrium), "step_limit" (not yet) or "diverged" (without a shape)."""
     crossing: bool
-    """Whether leaflets pass through each other: then the figures do not count."""
+    """Whether leaflets cross, which makes the results unreliable."""
     residual: float | None
     """Rms free force over rms pressure force, at the end."""
     steps: int
     """Of the relaxation, over all attempts."""
     seconds: float
-    """That closing took, where it was done."""
+    """Computing time of the closure."""
     measure: Measure
     """Its figures."""
     warnings: tuple[str, ...]
@@ -187,7 +187,7 @@ class Closure(tables.Short):
         return self.leaflets().vertices_mm
 
     def _fields(self) -> Fields:
-        """:raises CoaptError: it is of a service, or flew apart"""
+        """:raises CoaptError: it is of a service, or diverged"""
         fields = getattr(self._leaflets, "fields", None)
         if fields is None:
             raise CoaptError(
@@ -233,12 +233,12 @@ class Closure(tables.Short):
         return self.leaflets().plot(colour, ax=ax)
 
     def save(self, path: str | os.PathLike[str], *, open: bool = False) -> None:
-        """To a file that other programs open, by its ending, as Engine.export() without closing again; ".json": the
+        """Write the valve in the file format of another program, chosen by the extension, like Engine.export() without closing again; ".json": the
         coapt.closure/2.
 
         >>> coapt.preset("human-normal").close().save("closed.vtk")
 
-        :param open: the unstressed shape
+        :param open: write the unstressed shape
         :raises BadDocument: another ending
         :raises CoaptError: the closure is of a service, or was pickled
         """
@@ -253,11 +253,11 @@ class Closure(tables.Short):
 
     @property
     def trusted(self) -> bool:
-        """Whether the figures count: it converged, and no leaflet passes through another."""
+        """Whether the results are reliable: the closure converged and leaflets do not cross."""
         return self.status == "converged" and not self.crossing
 
     def _repr_html_(self) -> str:
-        warned = "" if self.trusted else "<p><b>These figures do not count.</b></p>"
+        warned = "" if self.trusted else "<p><b>These results are unreliable.</b></p>"
         bars = tables.coaptation_svg(self.measure.json["coaptation"]["sections"])
         return (
             f"<h4>{html.escape(self.valve)}: {tables.state(self.status, self.crossing)}</h4>{warned}"

@@ -29,7 +29,7 @@ VTU; in mm."""
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """Distances of a closed shape from a reference (coapt.comparison/1): node to node where both have the same nodes, else from
+    """Distances of a closed shape from a reference (coapt.comparison/1): node by node if both have the same nodes, otherwise from
     its nodes to the reference's surface.
 
     >>> valve = coapt.preset("human-normal")
@@ -85,7 +85,7 @@ class LocalLeaflets:
         return Fields.of_engine(told) if told else None
 
     def fields(self) -> Fields:
-        """:raises CoaptError: the closure flew apart"""
+        """:raises CoaptError: the closure diverged"""
         return known_fields_of(self._told)
 
     def file(self, path: str, open: bool) -> bytes:
@@ -110,7 +110,7 @@ class KeptLeaflets:
     told: Fields | None
 
     def fields(self) -> Fields:
-        """:raises CoaptError: the closure flew apart"""
+        """:raises CoaptError: the closure diverged"""
         return known_fields_of(self.told)
 
     def __call__(self) -> Mesh:
@@ -119,7 +119,7 @@ class KeptLeaflets:
 
 def known_fields_of(told: Fields | None) -> Fields:
     if told is None:
-        raise CoaptError("this closure flew apart: it has no strain, contact and tension")
+        raise CoaptError("this closure diverged, so it has no strain, contact and tension")
     return told
 
 

@@ -99,9 +99,9 @@ class Engine(CopiedAsItself, Service):
     def compare(
         self, closed: ShapeSource, reference: ShapeSource, *, align: Literal["auto", "none", "rigid"] = "auto"
     ) -> Comparison:
-        """How far a closed shape lies from a reference.
+        """Measure the distance from a closed shape to a reference.
 
-        :param align: "rigid" by iterative closest point; "auto": only if they have not the same nodes
+        :param align: "rigid": by iterative closest point; "auto": only if the shapes do not share their nodes
         :raises NoSuchFile, BadDocument, InvalidRequest: of what is no shape
         """
         shapes = [native_shape(one) for one in (closed, reference)]
@@ -133,15 +133,15 @@ class Engine(CopiedAsItself, Service):
         rounds: int | None = None,
         progress: Callable[[int, float], object] | None = None,
     ) -> tuple[LocalValve, FitResult]:
-        """Fits chordae, papillary tips and tissue of a valve to its closed leaflets as imaged; Ctrl-C ends it with the best so far.
+        """Fits chordae, papillary tips and tissue of a valve to its imaged closed leaflets; Ctrl-C ends the fit with the best result so far.
 
         :param points_mm: N x 3, of the closed surface in the valve's own frame
-        :param side: of the leaflets that they show
-        :param leak_mm2: as imaged, known to within leak_sd_mm2
-        :param known: what stays as it is
-        :param ruptured: ask for each scallop whether its marginal chordae are ruptured
-        :param points: of the surface, at most
-        :param rounds: of either pass, at most
+        :param side: surface of the leaflets that was imaged
+        :param leak_mm2: imaged leak, with standard deviation leak_sd_mm2
+        :param known: parameters that are not fitted
+        :param ruptured: estimate for each scallop whether its marginal chordae are ruptured
+        :param points: maximum number of surface points
+        :param rounds: maximum number of rounds of each pass
         :param progress: called with the rounds done and the distance left, rms in mm
         """
         native = self._read(valve).native

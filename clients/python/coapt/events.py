@@ -26,7 +26,7 @@ class LeadingPlan(tables.Short):
 
     plan: Plan
     description: tuple[str, ...]
-    """In surgical words, a line a step."""
+    """Surgical description, one line per step."""
     cost: float | None
     """In mm2, over so many nodes."""
     nodes: int
@@ -45,7 +45,7 @@ class Progress(tables.Short):
     """How far a job is. None: none yet, or another kind of job.
 
     >>> print(coapt.Progress("searching", 40, 600, best_leak_mm2=1.2, best_cost=None, seconds=3.0))
-    40 of 600 closures, searching, lowest leak as planned 1.2 mm2
+    40 of 600 closures, searching, lowest planned leak 1.2 mm2
     """
 
     stage: str
@@ -61,9 +61,9 @@ class Progress(tables.Short):
     seconds: float
     """Of running, over all attempts."""
     best: LeadingPlan | None = None
-    """The plan in front."""
+    """The best plan so far."""
     rms_mm: float | None = None
-    """The distance that a fit leaves, root mean square."""
+    """Remaining distance of a fit, root mean square."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Progress:
@@ -79,7 +79,7 @@ class Progress(tables.Short):
         )
 
     def __str__(self) -> str:
-        best = "" if self.best_leak_mm2 is None else f", lowest leak as planned {self.best_leak_mm2:.1f} mm2"
+        best = "" if self.best_leak_mm2 is None else f", lowest planned leak {self.best_leak_mm2:.1f} mm2"
         if self.rms_mm is not None:
             return f"{self.closures} closures, {self.stage}, {self.rms_mm:.2f} mm rms"
         return f"{self.closures} of {self.closures_planned} closures, {self.stage}{best}"

@@ -32,7 +32,7 @@ class Section(tables.Short):
     distance_mm: float | None
     """The smallest between the leaflets."""
     contact: bool
-    """Whether they touch."""
+    """Whether the leaflets are in contact."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -61,7 +61,7 @@ class Coaptation(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class LeakMap(tables.Short):
-    """Leak when sutures and tips are off the plan.
+    """Leak with errors of suture length and tip position.
 
     >>> coapt.LeakMap("both", suture_length_mm=(0.0, 0.5), outwards_deg=(0.0,), leak_mm2=((1.2,), (None,)))
     LeakMap(muscle='both', suture_length_mm=(0, 0.5), outwards_deg=(0), leak_mm2=<2 of tuple>)
@@ -118,7 +118,7 @@ class LeakMaps(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Remodelling(tables.Short):
-    """Leak if the ventricle remodels further after the repair.
+    """Leak with further ventricular remodelling after the repair.
 
     >>> coapt.Remodelling(displacement_mm=(0, 1), leak_mm2={"apical": (0.4, 2.5)}).to_frame()["leak_mm2"].tolist()
     [0.4, 2.5]

@@ -28,13 +28,13 @@ class Fit:
     """The closed leaflets as imaged, a mesh or points (CSV), in the coordinates and the unit of the other files; None: the leaflets
     themselves, imported with closed=True."""
     side: Literal["atrial", "middle"] = "atrial"
-    """Of the leaflets, what the surface shows."""
+    """Surface of the leaflets that was imaged."""
     leak_mm2: float | None = None
     """As imaged."""
     leak_sd_mm2: float | None = None
-    """To within which that is known."""
+    """Standard deviation of leak_mm2."""
     known: Sequence[Known] = ()
-    """What stays as it is."""
+    """Parameters that are not fitted."""
     points: int | None = None
     """Of the surface, at most."""
     rounds: int | None = None
@@ -52,7 +52,7 @@ class Fit:
 
 @dataclass(frozen=True, repr=False)
 class FittedParameter(tables.Short):
-    """One unknown of a fit.
+    """One parameter of a fit.
 
     >>> coapt.FittedParameter("slack", "1", value=1.02, sd=0.01, prior=1.0, prior_sd=0.05, identifiable=True).value
     1.02
@@ -66,15 +66,15 @@ class FittedParameter(tables.Short):
     sd: float
     """Standard deviation of it."""
     prior: float
-    """What it was taken for before."""
+    """Prior value."""
     prior_sd: float
     identifiable: bool
-    """The surface at least halves what was not known."""
+    """Whether the surface at least halves the prior uncertainty."""
 
 
 @dataclass(frozen=True, repr=False)
 class FitResult(tables.Short):
-    """How well a valve was fitted.
+    """Result of a fit.
 
     >>> valve = coapt.preset("porcine-1")
     >>> fitted, told = valve.fit(valve.close().closed_mm, side="middle", points=200, rounds=1)
@@ -92,7 +92,7 @@ class FitResult(tables.Short):
     """Standard deviation of the fitted valve's leak."""
     parameters: tuple[FittedParameter, ...]
     finished: bool
-    """False: it was stopped before it came to rest."""
+    """False: the fit was stopped before convergence."""
     json: Mapping[str, Any] = field(repr=False, compare=False)
     """The whole of it, with the correlations."""
 
@@ -115,7 +115,7 @@ class FitResult(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class ImportResult(tables.Short):
-    """What an import has made.
+    """Result of an import.
 
     >>> folder = "examples/valves/source/bodyparts3d"
     >>> leaflets = [f"{folder}/{name}_leaflet_sheet.obj" for name in ("anterior", "posterior")]
@@ -132,7 +132,7 @@ class ImportResult(tables.Short):
     triangles: int
     chordae: int
     decisions: tuple[ImportDecision, ...]
-    """That its files left open."""
+    """Decisions on what the files leave open."""
     fit: FitResult | None
     """None: not asked for."""
     json: Mapping[str, Any] = field(repr=False, compare=False)
@@ -157,5 +157,5 @@ class ImportResult(tables.Short):
         )
 
     def picture(self) -> Picture:
-        """What was given beside the valve made of it; a notebook shows it."""
+        """Picture of the input beside the resulting valve; a notebook shows it."""
         return Picture(self._transport.request("GET", f"{self._path}/files/import.png").body)

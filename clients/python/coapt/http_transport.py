@@ -43,11 +43,11 @@ class HttpTransport(CopiedAsItself):
     def __post_init__(self) -> None:
         parts = urllib.parse.urlsplit(self.url)
         if parts.scheme not in ("http", "https") or not parts.hostname:
-            raise CoaptError(f"{self.url!r} is no address of a service; must be like http://127.0.0.1:8080")
+            raise CoaptError(f"{self.url!r} is not a service address; must be like http://127.0.0.1:8080")
         if self.token and not self.plain_http and not self._keeps_secrets():
             raise CoaptError(
-                f"{self.url} is not encrypted: others could read the token on the way; use https://, or plain_http=True "
-                "if the network is yours"
+                f"{self.url} is not encrypted, so others could read the token; use https://, or plain_http=True "
+                "on a trusted network"
             )
 
     def __getstate__(self) -> dict[str, Any]:
@@ -64,7 +64,7 @@ class HttpTransport(CopiedAsItself):
         body = response.read() if is_bounded else response.read(_MOST_BYTES + 1)
         if len(body) > _MOST_BYTES:
             raise Unreachable(
-                f"{self.url} answers with more than the {_MOST_BYTES >> 20} MiB that are taken of a service"
+                f"{self.url} answered with more than {_MOST_BYTES >> 20} MiB, the limit for a service's answer"
             )
         return body
 
@@ -117,15 +117,15 @@ class HttpTransport(CopiedAsItself):
             case ConnectionRefusedError():
                 return f"nothing listens at {self.url}: connection refused; is coapt-server running?"
             case socket.gaierror():
-                return f"{self.url} cannot be reached: there is no machine called {host} ({error.strerror})"
+                return f"{self.url} cannot be reached: there is no host named {host} ({error.strerror})"
             case ssl.SSLCertVerificationError():
                 return f"{self.url} is not trusted: {error.verify_message}"
             case ssl.SSLError():
-                return f"{self.url} does not speak https: {error.reason or error}"
+                return f"{self.url} does not support https: {error.reason or error}"
             case TimeoutError():
                 return f"{self.url} did not answer in time"
             case ConnectionError() | http.client.HTTPException():
-                return f"{self.url} broke the connection off: {error or type(error).__name__}"
+                return f"{self.url} closed the connection: {error or type(error).__name__}"
         return f"{self.url} cannot be reached: {error}"
 
     @contextmanager

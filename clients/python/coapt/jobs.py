@@ -69,7 +69,7 @@ class Job(Generic[Result]):
 
     @property
     def ended(self) -> bool:
-        """Whether that is one of the last three."""
+        """Whether the job has ended."""
         return self.state in ENDED
 
     @property
@@ -139,7 +139,7 @@ class Job(Generic[Result]):
             return most_s
         left = deadline - time.monotonic()
         if left <= 0:
-            raise NotEnded(f"job {self.id} has not ended in time; it goes on")
+            raise NotEnded(f"job {self.id} has not ended in time and continues")
         return min(left, most_s)
 
     def wait(self, progress: Callable[[Progress], object] | None = None, timeout_s: float | None = None) -> Job[Result]:
@@ -171,7 +171,7 @@ class Job(Generic[Result]):
                 progress(event.progress)
 
     def result(self, timeout_s: float | None = None) -> Result:
-        """What it has found, after waiting for its end. A cancelled search has its best so far.
+        """The result, after waiting for the end of the job. A cancelled search has its best plans so far.
 
         :raises NotFound: it was cancelled before it had anything
         """
@@ -179,7 +179,7 @@ class Job(Generic[Result]):
         return self._read(self._transport.request("GET", f"{self.path}/result").json(), self._transport, self.path)
 
     def cancel(self) -> Job[Result]:
-        """Ends it soon, with the best so far; wait() for that. An ended job stays as it is."""
+        """End the job early with the best result so far; wait() for it. A job that has ended is not changed."""
         self.json = self._transport.request("POST", f"{self.path}:cancel", {}).json()
         return self
 
@@ -191,7 +191,7 @@ class Job(Generic[Result]):
         self._transport.request("DELETE", self.path)
 
     def report(self) -> str:
-        """The page about it: HTML that stands alone."""
+        """The report of the job: a self-contained HTML page."""
         return self._transport.request("GET", f"{self.path}/report").body.decode()
 
     def files(self) -> dict[str, int]:

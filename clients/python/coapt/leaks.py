@@ -1,5 +1,5 @@
-"""The leak of a closed valve or the opening of an open one: the least area of a surface in the blood that parts atrium from
-ventricle, leaflets with half their thickness on either face."""
+"""The leak of a closed valve or the opening of an open one: the area of the smallest surface that separates atrium from
+ventricle, with half the leaflet thickness on either face."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class LeakOpening(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Leak(tables.Short):
-    """None: not known, because too little was closed or a closure flew apart.
+    """None: not known, because too little was closed or a closure diverged.
 
     >>> leak = coapt.preset("human-functional-mr").close().measure.leak
     >>> low, high = leak.between_mm2
@@ -65,15 +65,15 @@ class Leak(tables.Short):
 
     area_mm2: float | None
     error_mm2: float | None
-    """Numerical, kept by nine of ten measured valves; None also of an open valve and of a closure that is not to be trusted."""
+    """Numerical error, which held in nine of ten test valves; None for an open valve and an unreliable closure."""
     between_mm2: tuple[float, float] | None
     """Bounds of the area on the voxels that it was found on."""
     openings: tuple[LeakOpening, ...]
     """Largest first."""
     numerical: tuple[float, float] | None = None
-    """From 5 to 95 %, where the area lies by its numerical error."""
+    """Interval from 5 to 95 % of the area due to the numerical error."""
     tissue: tuple[float, float] | None = None
-    """The same by what the model does not know of tissue and chordae; None: not drawn, or what was observed contradicts the model."""
+    """The same for the tissue error; None: no variants were closed, or the observations contradict the model."""
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Leak:

@@ -22,7 +22,7 @@ def engine() -> Engine:
 
 
 def preset(name: str) -> LocalValve:
-    """A valve that coapt brings along; Service.presets() lists them.
+    """A preset valve; Service.presets() lists them.
 
     >>> coapt.preset("human-normal").close().trusted
     True

@@ -24,31 +24,31 @@ class Opening(tables.Short):
     name: str
     """The valve's."""
     status: Status
-    """"converged" (at rest), "step_limit" (not yet) or "diverged" (there is no shape)."""
+    """"converged" (in equilibrium), "step_limit" (not yet) or "diverged" (without a shape)."""
     crossing: bool
-    """Whether leaflets pass through each other: then nothing is measured."""
+    """Whether leaflets cross, in which case nothing is measured."""
     opening_area_mm2: float | None
     """Of leak."""
     leak: Leak
-    """The least surface between atrium and ventricle, with its openings: two or more behind a clip."""
+    """The smallest surface between atrium and ventricle, with its openings: two or more with a clip."""
     projected_area_mm2: float | None
-    """Seen along the annulus's normal."""
+    """Projected along the annular normal."""
     annulus_area_mm2: float
     """Of the annulus in diastole."""
     gradient_mmhg: float | None
-    """Mean, at flow_ml_s, by Bernoulli's equation over the pulse of filling."""
+    """Mean gradient at flow_ml_s, by Bernoulli's equation over the filling pulse."""
     gradient_exercise_mmhg: float | None
     """The same at flow_exercise_ml_s."""
     flow_ml_s: float
-    """Mean flow of filling at rest."""
+    """Mean filling flow at rest."""
     flow_exercise_ml_s: float
-    """Mean flow of filling at exercise."""
+    """Mean filling flow at exercise."""
     pressure_mmhg: float
-    """Of the atrium over the ventricle, at the peak of filling."""
+    """Peak atrioventricular pressure difference during filling."""
     steps: int
     """Of the relaxation."""
     seconds: float
-    """That opening took, where it was done."""
+    """Computing time of the opening."""
     warnings: tuple[str, ...]
     """In sentences."""
     json: Document = field(repr=False, compare=False)
@@ -61,7 +61,7 @@ class Opening(tables.Short):
 
     @property
     def trusted(self) -> bool:
-        """Whether the figures count: it came to rest, and no leaflet passes through another."""
+        """Whether the results are reliable: equilibrium was reached and leaflets do not cross."""
         return self.status == "converged" and not self.crossing
 
     @property
@@ -72,11 +72,11 @@ class Opening(tables.Short):
         return scene
 
     def _repr_html_(self) -> str:
-        warned = "" if self.trusted else "<p><b>These figures do not count.</b></p>"
+        warned = "" if self.trusted else "<p><b>These results are unreliable.</b></p>"
         number = tables.number
         rows = [
             ("opening", f"<b>{_cm2(self.opening_area_mm2)}</b>"),
-            ("seen along the annulus's normal", _cm2(self.projected_area_mm2)),
+            ("projected along the annular normal", _cm2(self.projected_area_mm2)),
             ("annulus in diastole", _cm2(self.annulus_area_mm2)),
             ("mean gradient", f"{number(self.gradient_mmhg)} mmHg at {number(self.flow_ml_s, 0)} ml/s"),
             ("at exercise", f"{number(self.gradient_exercise_mmhg)} mmHg at {number(self.flow_exercise_ml_s, 0)} ml/s"),

@@ -1,4 +1,4 @@
-"""The rule by which plans are ranked, for plans that were evaluated elsewhere."""
+"""The ranking rule, for plans that were evaluated elsewhere."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from .local_transport import engine_module
 
 @dataclass(frozen=True)
 class Merits:
-    """What decides between plans. The defaults are those of the best; None: not known, of all plans or of none.
+    """Criteria for ranking a plan. The defaults are the best values; None: unknown, for all plans or for none.
 
     >>> coapt.Merits(steps=2, muscles=1).acceptable_probability
     1.0
     """
 
     acceptable_probability: float = 1.0
-    """That the valve leaks less than 5 mm² over errors of the hand, tissue and mesh."""
+    """Probability that the valve leaks less than 5 mm², given the errors of execution, tissue and mesh."""
     steps: int = 0
     muscles: int = 0
     """That a suture moves."""
@@ -32,7 +32,7 @@ class Merits:
     leak_mm2: float = 0.0
     """Mean and standard deviation over the region, added."""
     durability_mm: float | None = None
-    """By which the ventricle may remodel further until the valve leaks."""
+    """Reserve against progression: further remodelling until the valve leaks."""
     gradient_mmhg: float | None = None
     avoidable_warnings: int = 0
     cost: float = 0.0
@@ -61,7 +61,7 @@ class Ordered:
     index: int
     """Into the plans given."""
     of_class: int
-    """From 1: plans of one class cannot be told apart."""
+    """Equivalence class, from 1: plans of one class are equivalent."""
 
 
 def order_plans(
@@ -72,8 +72,8 @@ def order_plans(
     same_durability_mm: float = 2.0,
     same_gradient_mmhg: float = 1.0,
 ) -> list[Ordered]:
-    """Best first, by the rule of the search: what is acceptable, of these what has no avoidable warning, of plans that cannot be told
-    apart the simplest.
+    """Best first, by the rule of the search: acceptable plans, of these plans without avoidable warnings, of equivalent plans the
+    simplest.
 
     >>> ring = coapt.Merits(acceptable_probability=0.97, steps=1)
     >>> ring_and_suture = coapt.Merits(acceptable_probability=0.99, steps=2, muscles=1)

@@ -50,7 +50,7 @@ def _numbers(values: Iterable[float | None]) -> list[float]:
 def leak_map(
     plan: RankedPlan, muscle: Muscle = "both", *, most_mm2: float | None = None, ax: Axes | None = None
 ) -> Axes:
-    """Leak over errors of suture length and of the tips' angle. The plan as planned is framed; what was not closed is hatched.
+    """Leak versus errors of suture length and of the angle of the tips. A frame marks the plan; cells not closed are hatched.
 
     :param most_mm2: end of the colour scale, so that maps can be compared; by default the map's largest leak, 1 mm2 at least
     :raises KeyError: the plan has no map of this muscle
@@ -70,9 +70,9 @@ def leak_map(
     )
     width, height = angles[1] - angles[0], lengths[1] - lengths[0]
     axes.add_patch(_frame(-width / 2, -height / 2, width, height))
-    axes.set_xlabel("tip outwards, degrees off the plan")
+    axes.set_xlabel("outward error of the tip, degrees")
     sutured = any(isinstance(step, PapillaryApproximation) for step in plan.plan.steps)
-    axes.set_ylabel(f"{'suture length' if sutured else 'tip to trigone'}, mm off the plan")
+    axes.set_ylabel(f"{'suture length' if sutured else 'tip to trigone'} error, mm")
     axes.figure.colorbar(cells, ax=axes, label="leak, mm²", extend="neither" if most_mm2 is None else "max")
     return axes
 
@@ -84,7 +84,7 @@ def _frame(x: float, y: float, width: float, height: float) -> Any:
 
 
 def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
-    """Height of coaptation at nine sections (blue); where leaflets do not touch, their distance (red, downwards)."""
+    """Coaptation height in nine sections (blue); where leaflets do not coapt, their distance (red, downwards)."""
     axes, sections = _axes(ax), closure.measure.coaptation.sections
     width = 0.8 / len(sections)
     for label, colour, contact in (("coaptation height", _BLUE, True), ("leaflets apart", _RED, False)):
@@ -103,7 +103,7 @@ def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
 
 
 def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
-    """The closed leaflets as the atrium sees them: anterior up, the anterolateral side left; colours are heights above the
+    """The closed leaflets seen from the atrium: anterior up, the anterolateral side left; colours are heights above the
     annulus, blue lines the rims of the leak's openings. Leaflets are drawn without their thickness."""
     axes, mesh = _axes(ax), closure.leaflets()
     points, faces = _rows(mesh.vertices_mm), _rows(mesh.faces)
@@ -159,7 +159,7 @@ def _rows(array: Any) -> list[Any]:
 _AGAINST = {
     "tension_max_n": "highest chordal tension, N",
     "opening_area_mm2": "opening in diastole, mm²",
-    "durability_mm": "further disease until it leaks 5 mm², mm",
+    "durability_mm": "reserve against progression, mm",
 }
 
 
@@ -169,8 +169,8 @@ def plans(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """What ranked plans trade: tension, opening or durability over the mean leak, with the leak's sd. Numbers are ranks, full
-    points Pareto-optimal plans. Left out: plans of which one of both is not known."""
+    """Trade-offs of ranked plans: tension, opening or reserve versus the mean leak, with the sd of the leak. Numbers are ranks, filled
+    points Pareto-optimal plans. Plans with unknown values are omitted."""
     axes = _axes(ax)
     for plan in result.plans:
         mean, sd = plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0
@@ -181,15 +181,15 @@ def plans(
             axes.annotate(str(plan.rank), (mean, value), xytext=(5, 5), textcoords="offset points")
     axes.margins(y=0.15)  # a rank stands above its point
     axes.set_xlim(left=-0.03 * max(1.0, axes.get_xlim()[1]))
-    axes.set_xlabel("leak over the region, mean ± sd, mm²")
+    axes.set_xlabel("leak with errors of execution, mean ± sd, mm²")
     axes.set_ylabel(_AGAINST[against])
     return axes
 
 
 def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
-    """The search score of the best plan so far over closures, and what plans tried at random are expected to reach."""
+    """Search score of the best plan so far versus closures, and the expectation for a random search."""
     axes, highest = _axes(ax), 0.0
-    for name, label, style in (("progress", "search", "-"), ("random_progress", "plans at random, expected", "--")):
+    for name, label, style in (("progress", "search", "-"), ("random_progress", "random search, expected", "--")):
         points: Sequence[Mapping[str, Any]] = [one for one in result.json[name] if one["cost"] is not None]
         if len(points) > 1:
             closures, costs = [one["closures"] for one in points], [one["cost"] for one in points]
@@ -206,7 +206,7 @@ def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
 
 
 def remodelling(plan: RankedPlan, *, ax: Axes | None = None) -> Axes:
-    """Leak if the papillary tips move further after the repair, a line a direction."""
+    """Leak versus further papillary displacement after the repair, one line per direction."""
     axes, curves = _axes(ax), plan.remodelling
     for (direction, leaks), (colour, marker) in zip(curves.leak_mm2.items(), cycle(_LINES)):
         shown = {"color": colour, "marker": marker, "markersize": 5, "alpha": 0.8, "clip_on": False}

@@ -53,14 +53,14 @@ class Statistics(tables.Short):
     """
 
     nominal: float | None
-    """As planned: the least surface. The others are of estimates."""
+    """Leak as planned, measured. The other statistics are estimated."""
     mean: float | None
     sd: float | None
     worst: float | None
     p95: float | None
     """The 95th percentile."""
     below_5: float | None
-    """Share of the region, 0 to 1, below 5 mm2."""
+    """Fraction of the region, 0 to 1, below 5 mm2."""
     below_10: float | None
     below_20: float | None
 
@@ -91,15 +91,15 @@ class RankedPlan(tables.Short):
     plan: Plan
     """Ready for close(), evaluate() and others."""
     description: tuple[str, ...]
-    """In surgical words, a line a step."""
+    """Surgical description, one line per step."""
     leak_mm2: Statistics
     """Over the region of interest."""
     cost: float | None
     """In mm2, lower is better: what plans are ranked by."""
     status: Status
-    """How the closure of the plan as planned ended."""
+    """Status of the planned closure."""
     crossing: bool
-    """Whether leaflets pass through each other in it."""
+    """Whether leaflets cross in it."""
     measure: Measure
     """The valve with this plan as planned."""
     region_closures: int
@@ -107,21 +107,21 @@ class RankedPlan(tables.Short):
     region_failures: int
     """Of them not converged, or with leaflets that cross."""
     margin_mm: float | None
-    """How much shorter or longer sutures may be before it leaks; 1.0: the region's border, it may be more."""
+    """Smallest error of suture length that causes a leak; 1.0 is the border of the region, so it may be larger."""
     margin_deg: float | None
-    """How far off the tips may be before it leaks; 5.0: the region's border, it may be more."""
+    """Smallest error of the tips' angle that causes a leak; 5.0 is the border of the region, so it may be larger."""
     pareto: bool
-    """Pareto-optimal among the reported plans in leak (mean + sd), opening and durability."""
+    """Pareto-optimal among the reported plans in leak (mean + sd), opening and reserve."""
     tie_with_next: bool
-    """It cannot be told from the next plan: they are of one class."""
+    """Whether it is equivalent to the next plan (of one class)."""
     warnings: tuple[str, ...]
-    """In sentences: rules of practice, closures that are not to be trusted, and others."""
+    """Warnings, in sentences: rules of practice, unreliable closures, and others."""
     opening_area_mm2: float | None
-    """In diastole; None: not asked for."""
+    """In diastole; None: not requested."""
     gradient_mmhg: float | None
-    """Mean gradient in diastole, at rest; None: not asked for."""
+    """Mean gradient in diastole, at rest; None: not requested."""
     durability_mm: float | None
-    """Further disease until it leaks 5 mm2, 12 at most; None: not asked for."""
+    """Reserve against progression, at most 12; None: not requested."""
     json: Document = field(repr=False, compare=False)
     """The whole of it, with gates and Sobol indices."""
     _place: _Place | None = field(default=None, repr=False, compare=False)
@@ -155,8 +155,8 @@ class RankedPlan(tables.Short):
 
     @property
     def closes_robustly(self) -> bool:
-        """Acceptable: the valve leaks less than 5 mm2 with a probability of at least 0.95, over errors of the hand, tissue and mesh, on
-        the refined mesh, too; no rule of practice rejects the plan, and the valve opens far enough. Of files of release 0.2: mean + sd
+        """Acceptable: the valve leaks less than 5 mm2 with a probability of at least 0.95, given the errors of execution, tissue and mesh, also on
+        the refined mesh; no rule of practice rejects the plan; and the valve opens far enough. Of files of release 0.2: mean + sd
         of the leak are below 1 mm2."""
         return bool(self.json.get("closes_robustly", False))
 
@@ -173,7 +173,7 @@ class RankedPlan(tables.Short):
 
     @property
     def remodelling(self) -> Remodelling:
-        """Leak if the ventricle remodels further; empty without evidence."""
+        """Leak with further ventricular remodelling; empty without evidence."""
         return Remodelling.from_json(self.json["remodelling"])
 
     def picture(self) -> Picture:
@@ -189,7 +189,7 @@ class RankedPlan(tables.Short):
         return Mesh.from_ply(self.mesh("ply"))
 
     def report(self) -> str:
-        """A page about this plan: HTML that stands alone."""
+        """A report on this plan: a self-contained HTML page."""
         return self._get("/report").decode()
 
     def _get(self, what: str, query: Document | None = None) -> bytes:
@@ -207,7 +207,7 @@ class RankedPlan(tables.Short):
 
 def plans_table(plans: Iterable[RankedPlan]) -> str:
     """A row each, as HTML."""
-    head = ("", "plan", "leak as planned, mm²", "mean ± sd over the region", "worst", "margin", "tension, N")
+    head = ("", "plan", "leak as planned, mm²", "mean ± sd with errors of execution", "worst", "margin", "tension, N")
     return tables.table(head, map(_row, plans))
 
 
@@ -218,7 +218,7 @@ def _row(plan: RankedPlan) -> tuple[str, ...]:
     settled = plan.status == "converged" and not plan.crossing
     warnings = (() if settled else (tables.state(plan.status, plan.crossing),)) + plan.warnings
     warned = f"<br><small>{tables.listed(warnings, '! ')}</small>" if warnings else ""
-    tie = "<br><small>ties with the next</small>" if plan.tie_with_next else ""
+    tie = "<br><small>equivalent to the next</small>" if plan.tie_with_next else ""
     return (
         str(plan.rank),
         what + warned + tie,

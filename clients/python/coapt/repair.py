@@ -20,7 +20,7 @@ from .steps import Step
 
 
 class Plan:
-    """Steps of a repair; their order does not change the result. Plan() is the valve as it is.
+    """Steps of a repair; their order does not change the result. Plan() is no repair.
 
     >>> ring = Plan(OwnRing(2))
     >>> ring.with_step(Neochorda("AL1", LeafletPoint("posterior", along=0.5), length_mm=20))
@@ -86,7 +86,7 @@ class NamedPlan:
 
 
 def read_plans(path: Path) -> list[NamedPlan]:
-    """Every plan of a file, in its order: a coapt.plan/1, what `coapt plan --json` prints, or the page's saved plans.
+    """Every plan of a file, in its order: a coapt.plan/1, the output of `coapt plan --json`, or plans saved on the page.
 
     >>> [one.name for one in read_plans("examples/plans/mixed.json")]
     ['mixed']

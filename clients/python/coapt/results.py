@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Before(tables.Short):
-    """The valve as it is, beside the plans.
+    """The unrepaired valve, for comparison with the plans.
 
     >>> scored = coapt.preset("human-functional-mr").evaluate([Plan(OwnRing(2))])
     >>> scored.before.status, scored.before.measure.leak_mm2 > scored.plans[0].measure.leak_mm2
@@ -28,7 +28,7 @@ class Before(tables.Short):
     status: Status
     """How its closure ended."""
     crossing: bool
-    """Whether leaflets pass through each other: then the figures do not count."""
+    """Whether leaflets cross, which makes the results unreliable."""
     measure: Measure
     """Its figures."""
 
@@ -39,7 +39,7 @@ class Before(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Evaluations(tables.Short):
-    """Plans of one's own, in the order asked, each with its rank.
+    """Given plans in the order of the request, each with its rank.
 
     >>> plans = [Plan(), Plan(OwnRing(2))]
     >>> scored = coapt.preset("human-functional-mr").evaluate(plans, region_points=2)
@@ -50,13 +50,13 @@ class Evaluations(tables.Short):
     """
 
     before: Before
-    """The valve as it is."""
+    """The unrepaired valve."""
     plans: tuple[RankedPlan, ...]
     """In the order asked."""
     closures: int
-    """How many were made, that of the valve as it is included."""
+    """Number of closures, including that of the unrepaired valve."""
     seconds: float
-    """That scoring took, where it was done."""
+    """Computing time of scoring."""
     json: Document = field(repr=False, compare=False)
     """The whole of it."""
 
@@ -90,7 +90,7 @@ class SearchResult(tables.Short):
     """
 
     before: Before
-    """The valve as it is."""
+    """The unrepaired valve."""
     plans: tuple[RankedPlan, ...]
     """Best first."""
     any_competent: bool
@@ -98,7 +98,7 @@ class SearchResult(tables.Short):
     stop: str
     """Why the search ended: evaluation_limit, exhausted, no_improvement, target_reached, time_limit or cancelled."""
     closures: int
-    """How many were made, known ones included."""
+    """Number of closures, including reused ones."""
     seconds: float
     """That the search ran, over all attempts."""
     json: Document = field(repr=False, compare=False)
@@ -128,7 +128,7 @@ class SearchResult(tables.Short):
 
 @dataclass(frozen=True, repr=False)
 class Finding(tables.Short):
-    """A finding of the thesis beside this valve's.
+    """A finding of the thesis compared with this valve's.
 
     >>> finding = coapt.Finding("dilation-orifice", "4.3.1", "it opens", "it opens", "the sign", agrees=True)
     >>> finding.section
@@ -140,11 +140,11 @@ class Finding(tables.Short):
     section: str
     """Of the thesis."""
     thesis: str
-    """What the thesis found, in a sentence."""
+    """Finding of the thesis, in a sentence."""
     ours: str
-    """What was found of this valve, in a sentence."""
+    """Finding on this valve, in a sentence."""
     judged: str
-    """By what the two are said to agree."""
+    """Criterion of agreement."""
     agrees: bool
     """Whether they do."""
 

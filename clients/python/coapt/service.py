@@ -61,29 +61,29 @@ class Service(StoredWork):
         weights: Mapping[str, float] | None = None,
         idempotency_key: str | None = None,
     ) -> Job[SearchResult]:
-        """Searches repair plans. What is left out has the service's default, in brackets.
+        """Searches for repair plans. Omitted options have the default of the service, given in brackets.
 
         >>> rules = dict(forbidden=["neochorda"], fixed=Plan(OwnRing(2)))
         >>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=2, evidence=False, **rules)
         >>> OwnRing(2) in job.result().plans[0].plan.steps
         True
 
-        :param evaluations: closures for the search itself; ranking takes more (2,000)
-        :param front_share: more closures, as a share of those, for plans that trade leak, opening and durability otherwise than the best (0.3)
+        :param evaluations: maximum number of closures for the search itself; ranking needs more (2,000)
+        :param front_share: extra closures, as a fraction of those, for exploring trade-offs between leak, opening and reserve (0.3)
         :param seed: the same seed gives the same plans (1)
-        :param plans: how many ranked plans to report, up to 50 (5)
-        :param region_points: 1 to 1,089 nodes of each reported plan's region of interest (1,089)
-        :param evidence: close the reported plans also under errors of single sutures and further remodelling and disease (True)
-        :param openings: open plans in diastole, too, once they are closed at more than one node (True)
-        :param fine_levels: times that the mesh is refined for the verdict on each reported plan, 0 to 2 (1)
-        :param model_draws: draws of tissue and chordae under which each reported plan is closed as planned, 0 to 200 (8)
-        :param rank_by_price: acceptable plans by their cost instead of classes that their simplest plans head (False)
-        :param seconds: stop after this time, the last 40 % spent on ranking; 0: no limit (0)
-        :param no_improvement: stop after so many closures without a better plan; 0: never (0)
-        :param target_mm2: stop when mean + sd of a plan's leak over 17 nodes is not above this; -1: never (-1)
-        :param threads: does not change the result; 0: all cores (0)
-        :param fixed: steps that every plan must contain
-        :param forbidden: what no plan may contain: "neochorda", "papillary_approximation:saddle_peak", "annuloplasty:own", ...
+        :param plans: number of ranked plans to report, up to 50 (5)
+        :param region_points: number of nodes of each reported plan's region of interest to close, 1 to 1,089 (1,089)
+        :param evidence: also close the reported plans with errors of single sutures, further remodelling and disease (True)
+        :param openings: also open plans in diastole, once they are closed at more than one node (True)
+        :param fine_levels: number of mesh refinements for the final check of each reported plan, 0 to 2 (1)
+        :param model_draws: number of variants of tissue and chordae in which each reported plan is closed as planned, 0 to 200 (8)
+        :param rank_by_price: rank acceptable plans by cost instead of by equivalence classes (False)
+        :param seconds: time limit, of which the last 40 % is reserved for ranking; 0: none (0)
+        :param no_improvement: stop after this many closures without a better plan; 0: never (0)
+        :param target_mm2: stop once the leak of a plan (mean + sd over 17 nodes) is at or below this; -1: never (-1)
+        :param threads: number of threads, 0: all cores; does not change the result (0)
+        :param fixed: steps that every plan must include
+        :param forbidden: techniques that no plan may include: "neochorda", "papillary_approximation:saddle_peak", "annuloplasty:own", ...
         :param rules: further rules of io/schema/search.schema.json; fixed and forbidden go into them
         :param weights: of the cost, likewise
         :param idempotency_key: the same key with the same request gives the same job; a new one by default
@@ -126,10 +126,10 @@ class Service(StoredWork):
         >>> result.findings[0].section, sum(finding.agrees for finding in result.findings) > 0
         ('4.3.1', True)
 
-        :param protocols: how positions of a region get their orifice (both look-ups)
-        :param displacement_step_mm: 1, 2, 3 or 6, of the displaced configurations
-        :param region_points: 17 to 1,089 nodes of each region of interest
-        :param scan_sites: 0 to 360 anchors around the annulus, besides trigone and saddle peak
+        :param protocols: methods that determine the orifice at a position (both look-ups)
+        :param displacement_step_mm: step of the displacements, 1, 2, 3 or 6
+        :param region_points: number of nodes of each region of interest to close, 17 to 1,089
+        :param scan_sites: number of anchors around the annulus, in addition to trigone and saddle peak, 0 to 360
         """
         study = {"name": name} | given(
             protocols=None if protocols is None else list(protocols),
@@ -153,7 +153,7 @@ class Service(StoredWork):
         idempotency_key: str | None = None,
         **options: Any,
     ) -> Job[ImportResult]:
-        """The imports above as a job, which also draws the valve beside what was given and fits it, in seconds to minutes.
+        """The imports above as a job, which also draws the valve beside the input and fits it, in seconds to minutes.
 
         >>> folder = "examples/valves/source/bodyparts3d"
         >>> leaflets = [f"{folder}/{name}_leaflet_sheet.obj" for name in ("anterior", "posterior")]

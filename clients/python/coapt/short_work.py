@@ -46,12 +46,12 @@ class ShortWork(Asking):
         tissue: Mapping[str, float] | None = None,
         certainty: Literal["quick", "sure", "proof"] | None = None,
     ) -> Closure:
-        """Closes a valve, repaired if there is a plan, and measures what leaks. Look at Closure.trusted.
+        """Closes a valve, optionally repaired by a plan, and measures its leak. Check Closure.trusted.
 
         >>> client.close("human-normal", pressure_mmhg=150, tissue={"radial_extension": 0.08}).trusted
         True
 
-        :param pressure_mmhg: across the closed valve, in place of its own
+        :param pressure_mmhg: pressure across the closed valve, overriding its own
         :param tissue: in place of its own: "thickness_mm", "radial_extension", "circumferential_extension" (strains at which
             leaflets become stiff), "radial_stiffness", "circumferential_stiffness" (moduli beyond, times 760 and 2,300 kPa)
         :param certainty: how much time the leak is worth: the mesh as given ("quick"), also one of four times the triangles, or
@@ -84,18 +84,18 @@ class ShortWork(Asking):
         exercise: float | None = None,
         frames: int = 0,
     ) -> Opening:
-        """Opens a valve in diastole, repaired if there is a plan, and measures its opening. Look at Opening.trusted.
+        """Opens a valve in diastole, optionally repaired by a plan, and measures its opening. Check Opening.trusted.
 
-        :param pressure_mmhg: atrium over ventricle at the peak of filling, 1 to 30 (what the flow needs)
-        :param flow_ml_s: mean flow of filling at rest, 10 to 1,000 (155, less through a small annulus)
-        :param exercise: flow at exercise over that at rest, 1 to 5 (1.4)
-        :param frames: 0 to 60 states on the way from unstressed to open, in Opening.scene
+        :param pressure_mmhg: peak atrioventricular pressure difference during filling, 1 to 30 (the pressure that drives the flow)
+        :param flow_ml_s: mean filling flow at rest, 10 to 1,000 (155, less for a small annulus)
+        :param exercise: ratio of exercise flow to resting flow, 1 to 5 (1.4)
+        :param frames: number of states between unstressed and open in Opening.scene, 0 to 60
         """
         options = given(pressure_mmhg=pressure_mmhg, flow_ml_s=flow_ml_s, exercise=exercise)
         return Opening.from_json(self._ask("/v1/openings", valve, repair_of(plan, frames=frames, **options)).json())
 
     def diagnose(self, valve: Valve, plan: PlanSource | None = None) -> dict[str, Any]:
-        """Why a valve, repaired if there is a plan, leaks (coapt.diagnosis/1): "competent", Carpentier's "type", "segments" with a
+        """Why a valve, optionally repaired by a plan, leaks (coapt.diagnosis/1): "competent", Carpentier "type", "segments" with a
         "finding" each, and a "sentence".
 
         >>> diagnosis = client.diagnose("human-p2-prolapse")
@@ -113,15 +113,15 @@ class ShortWork(Asking):
         kind: Literal["healthy", "functional", "prolapse"] | None = None,
         species: Literal["human", "porcine"] | None = None,
     ) -> dict[str, Any]:
-        """What a valve, repaired if there is a plan, does beside what was measured in hearts (coapt.physiology/1): "rows", each with
+        """Comparison of a valve, optionally repaired by a plan, with published measurements (coapt.physiology/1): "rows", each with
         "quantity", "what", "value", "unit", the range from "low" to "high", its "source", and a "verdict". Seconds.
 
         >>> rows = client.physiology("human-normal", kind="healthy")["rows"]
         >>> rows[0]["quantity"], rows[0]["unit"], rows[0]["verdict"] in ("met", "below", "above", "unknown", "no range")
         ('leak', 'mm2', True)
 
-        :param kind: whose ranges hold (judged from the closed valve)
-        :param species: likewise (porcine if the valve's name says so, else human)
+        :param kind: kind of valve whose ranges apply (inferred from the closed valve)
+        :param species: species whose ranges apply (porcine if the name of the valve says so, else human)
         """
         request = repair_of(plan, **given(kind=kind, species=species))
         physiology: dict[str, Any] = self._ask("/v1/physiology", valve, request).json()
@@ -130,14 +130,14 @@ class ShortWork(Asking):
     def information(
         self, valve: Valve, plan: PlanSource | None = None, *, draws: int | None = None, seed: int | None = None
     ) -> dict[str, Any]:
-        """Which measurement of a valve would tell most of its leak, repaired if there is a plan (coapt.information/1): "leak" with its
-        error, and "rows" of "measurement", "share_removed" and "remaining_mm2", the most telling first. Seconds.
+        """Measurements ranked by how much they would reduce the tissue error of the leak (coapt.information/1): "leak" with its error,
+        and "rows" of "measurement", "share_removed" and "remaining_mm2", most informative first. Takes seconds.
 
         >>> rows = client.information("human-functional-mr", draws=8)["rows"]
         >>> len(rows), sorted(rows[0])
         (8, ['measurement', 'remaining_mm2', 'share_removed'])
 
-        :param draws: of tissue and chordae (256)
+        :param draws: number of variants of tissue and chordae (256)
         :param seed: of the draws (1)
         """
         information: dict[str, Any] = self._ask(
@@ -148,14 +148,14 @@ class ShortWork(Asking):
     def observe(
         self, valve: Valve, observed: Mapping[str, Mapping[str, Any]] | None = None, *, forget: bool = False
     ) -> dict[str, Any]:
-        """The valve (coapt.valve/1) with what images show of it, by which later answers are weighed.
+        """The valve (coapt.valve/1) with observations from images, which weight later results.
 
         >>> seen = client.observe("human-functional-mr", {"leak_mm2": {"value": 50, "sd": 10, "source": "3D planimetry"}})
         >>> seen["observed"]["leak_mm2"]["sd"]
         10.0
 
         :param observed: "leak_mm2", "tenting_area_mm2", "widest_gap_mm": each a "value", its standard deviation "sd", a "source"
-        :param forget: what was observed before
+        :param forget: remove earlier observations
         """
         request = {**given(observed=observed), "forget": forget}
         seen: dict[str, Any] = self._ask("/v1/valves:observe", valve, request).json()
@@ -198,21 +198,21 @@ class ShortWork(Asking):
         *,
         open: bool = False,
     ) -> bytes:
-        """A file that other programs open, of the valve closed, repaired if there is a plan.
+        """The closed valve, optionally repaired by a plan, in the file format of another program.
 
-        :param open: the unstressed shape, not the closed one; not for csv
+        :param open: export the unstressed shape instead of the closed one; not for csv
         """
         return self._ask("/v1/exports", valve, repair_of(plan, format=format, open=open)).body
 
     def picture(self, valve: Valve, plan: PlanSource | None = None) -> Picture:
-        """The closed valve, repaired if there is a plan, from the atrium and in section, with its figures; a notebook shows it."""
+        """Picture of the closed valve, optionally repaired by a plan, from the atrium and in section, with its measurements; a notebook shows it."""
         return Picture(self._ask("/v1/pictures", valve, repair_of(plan)).body)
 
     def scene(self, valve: Valve, plan: PlanSource | None = None, *, frames: int = 0) -> dict[str, Any]:
-        """All that is drawn of a closed valve as lists and numbers (coapt.scene/2): points, triangles, chordae with tension,
+        """All data for drawing a closed valve, as lists and numbers (coapt.scene/2): points, triangles, chordae with tension,
         the leak's surface, annulus.
 
-        :param frames: 0 to 60 states on the way from open to closed
+        :param frames: number of states between open and closed, 0 to 60
         """
         scene: dict[str, Any] = self._ask("/v1/scenes", valve, repair_of(plan, frames=frames)).json()
         return scene
@@ -225,14 +225,14 @@ class ShortWork(Asking):
         evidence: bool | None = None,
         model_draws: int | None = None,
     ) -> Evaluations:
-        """Scores plans of one's own as a search scores its finalists, in the order given.
+        """Scores given plans as a search scores its finalists, in the given order.
 
-        :param region_points: 1 to 1,089 nodes of each plan's region of interest, 1 by default; plans times nodes must stay
+        :param region_points: number of nodes of each plan's region of interest to close, 1 to 1,089, 1 by default; plans times nodes must stay
             below the service's limit (1,000 closures)
-        :param evidence: each plan also under errors of single sutures and further remodelling, 88 to 308 closures more; not
+        :param evidence: also close each plan with errors of single sutures and further remodelling, 88 to 308 more closures; not
             by default
-        :param model_draws: draws of tissue and chordae under which each plan is closed as planned, 0 to 200, none by default; of a
-            valve of which something was observed at least 64, weighed by it
+        :param model_draws: number of variants of tissue and chordae in which each plan is closed as planned, 0 to 200, none by default;
+            with observations of the valve at least 64, weighted by them
         """
         request = scoring_of(plans, region_points, evidence, model_draws)
         return Evaluations.from_json(self._ask("/v1/evaluations", valve, request).json())
@@ -245,7 +245,7 @@ class ShortWork(Asking):
         evidence: bool | None = None,
         model_draws: int | None = None,
     ) -> str:
-        """The page about plans of one's own, ten at most, scored as evaluate() does: HTML that stands alone."""
+        """A report on at most ten given plans, scored as by evaluate(): a self-contained HTML page."""
         return self._ask("/v1/reports", valve, scoring_of(plans, region_points, evidence, model_draws)).body.decode()
 
     def _at_once(self, threads: int | None) -> int:

@@ -12,7 +12,7 @@ from .repair import Plan
 
 @dataclass(frozen=True, repr=False)
 class ImportDecision(tables.Short):
-    """What an import settled that its files leave open.
+    """A decision of an import on what its files leave open.
 
     >>> ImportDecision("units", "millimetres", "the annulus is 32 wide").look
     False
@@ -23,11 +23,11 @@ class ImportDecision(tables.Short):
     value: str
     """In a sentence."""
     reason: str
-    """In a sentence; empty where there is none to give."""
+    """The reason in a sentence; empty if there is none."""
     look: bool = False
-    """A person should check it against the images."""
+    """Whether a person should check it against the images."""
     confidence: float = 1.0
-    """How likely it is right, of what is judged from several readings; else 1."""
+    """Probability that the decision is correct, if inferred from several measurements; otherwise 1."""
 
 
 @dataclass(frozen=True, repr=False)

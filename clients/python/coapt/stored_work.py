@@ -43,16 +43,16 @@ class StoredWork(ShortWork):
         name: str = "imported",
         **options: Any,
     ) -> StoredValve:
-        """Makes a valve of the files of a segmentation tool, in one unit, and stores it.
+        """Makes a valve from the files of a segmentation tool, in one unit, and stores it.
 
         :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one file with both as its parts, or one
             skirt; or the path of a label map of both (NRRD or NIfTI). Also what is in memory: pairs of points and faces, meshes of
             meshio, PyVista, VTK, trimesh
         :param annulus: a table of x, y, z, or a closed curve of Slicer (.mrk.json), or points or a line in memory; None: that of the label map, else found at the
             leaflets
-        :param chordae: CSV or JSON; or a seed: they were not seen, and are drawn from anatomy
-        :param tips: of drawn chordae: papillary tips that were seen, CSV of papillary,x,y,z or labelled points of
-            Slicer, or a mapping of "AL" and "PM" to a point; left out, they are drawn, too
+        :param chordae: CSV or JSON; or a seed, to synthesise chordae from anatomical data
+        :param tips: imaged papillary tips for synthesised chordae: CSV of papillary,x,y,z or labelled Slicer points, or a mapping of
+            "AL" and "PM" to a point; by default tips are synthesised as well
         :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
             "cm", "in" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
             closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
@@ -90,7 +90,7 @@ class StoredWork(ShortWork):
         self._transport.request("DELETE", path_of("/v1/valves", id))
 
     def validate_valve(self, valve: Valve) -> tuple[Problem, ...]:
-        """Every problem of what is to be a valve; empty: it is one. Nothing is stored."""
+        """Every problem of a valve document; empty if there is none. Nothing is stored."""
         return tuple(map(Problem.from_json, self._post("/v1/valves:validate", valve_document(valve))["problems"]))
 
     def keep_plan(self, valve: Valve, plan: PlanSource, name: str) -> KeptPlan:

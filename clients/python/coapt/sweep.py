@@ -53,14 +53,14 @@ class SweepItem(tables.Short):
     valve: str
     """Its name."""
     plan: str
-    """Its name; "no repair": the valve as it is."""
+    """Name of the plan; "no repair" without a plan."""
     closure: Closure | None
     """None: see error."""
     error: CoaptError | None
 
     @property
     def trusted(self) -> bool:
-        """Whether there is a closure whose figures count."""
+        """Whether there is a reliable closure."""
         return self.closure is not None and self.closure.trusted
 
     @property
@@ -86,7 +86,7 @@ class Sweep:
         read: Callable[[Valve], Any] = valve_document,
     ) -> None:
         """
-        :param plans: names and documents; a document None is the valve as it is
+        :param plans: names and documents; a document None is no repair
         :param read: makes of a valve what close takes, once
         """
         self._close, self._valves, self._plans, self._threads, self._read = close, valves, plans, threads, read

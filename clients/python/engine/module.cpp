@@ -143,7 +143,7 @@ py::tuple told(const LocalClosure& closed) {
                         figures_of(closed.measure), py::tuple(py::cast(closed.warnings)));
 }
 
-/// Arrays of coapt.closures.Fields: strain, contact, segments, chordae, tension_n; empty: it flew apart.
+/// Arrays of coapt.closures.Fields: strain, contact, segments, chordae, tension_n; empty: it diverged.
 py::dict fields_of(const LocalClosure& closed) {
   const Valve& valve = *closed.repaired;
   const Points& closed_mm = closed.closure.closed_mm;

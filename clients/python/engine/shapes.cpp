@@ -41,8 +41,8 @@ FitUnknowns unknowns_of(const std::vector<std::string>& known) {
 LocalShape shape_of(const LocalClosure& closed) {
   const Valve& valve = *closed.repaired;
   if (!closed.closure.closed_mm.allFinite())
-    throw Problems(
-        {{ErrorCode::BadGeometry, "", "flew apart when it was closed: there is no shape"}});
+    throw Problems({{ErrorCode::BadGeometry, "",
+                     "diverged during closure; there is no closed shape to compare"}});
   return {valve.name, shape_of(ClosedValve{valve, closed.closure, closed.measure}),
           valve.tissue.thickness_mm};
 }

@@ -23,7 +23,7 @@ struct LocalShape {
   std::optional<double> thickness_mm;
 };
 
-/// Throw Problems: it flew apart; it is no mesh.
+/// Throw Problems: it diverged; it is no mesh.
 LocalShape shape_of(const LocalClosure& closed);
 LocalShape shape_of(std::string source, const Points& vertices_mm, const Faces& faces);
 LocalShape shape_of_file(std::string source, std::string_view bytes, const std::string& format);
