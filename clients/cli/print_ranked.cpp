@@ -62,7 +62,7 @@ std::string leak_words(const Json& plan) {
   return left < kMildLeak_mm2 ? "mild" : fixed(left, 0) + " mm2";
 }
 
-/// Else nothing is known of errors of the hand.
+/// Else nothing is known of errors of execution.
 bool is_varied(const Json& plan) { return plan["region_closures"] > 1; }
 
 int muscles_sutured(const Json& plan) {

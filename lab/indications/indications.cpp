@@ -92,7 +92,7 @@ class Arena {
     options_.region_points = std::min(options.region_points, kChosenBy);
   }
 
-  /// Those that are possible and leak mildly at most, as planned and then over the errors of the hand.
+  /// Those that are possible and leak mildly at most, as planned and then over the errors of execution.
   std::vector<PlanRecord*> acceptable_of(const std::vector<RepairPlan>& plans) {
     std::vector<PlanRecord*> records;
     for (const RepairPlan& plan : plans)

@@ -11,11 +11,11 @@ namespace coapt {
 struct PlanMerits {
   bool trusted = true;  ///< as planned, on its own mesh
   bool varied =
-      true;  ///< closed at more than one node: else nothing is known of errors of the hand
+      true;  ///< closed at more than one node: else nothing is known of errors of execution
   bool fails_often = false;  ///< its closures over the region
   bool rejected = false;     ///< by a rule of practice
   bool stenotic = false;
-  /// That the valve leaks less than kMildLeak_mm2, over errors of the hand, tissue and mesh.
+  /// That the valve leaks less than kMildLeak_mm2, over errors of execution, tissue and mesh.
   double acceptable_probability = 0.0;
   bool closes_finely = true;   ///< on the finer mesh, too
   int avoidable_warnings = 0;  ///< of kAvoidable

@@ -16,7 +16,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kLeastMovement_mm = 3.0;  // less is the error of the hand: 5 degrees at 33 mm
+constexpr double kLeastMovement_mm = 3.0;  // less is the error of execution: 5 degrees at 33 mm
 constexpr double kSpacing = 0.07;     // of `along`, between neochordae: 3 to 4 mm of the free edge
 constexpr double kPlaceStep = 0.035;  // 2 mm of it
 constexpr int kPlaces = 5;

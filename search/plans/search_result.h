@@ -67,7 +67,7 @@ struct RankedPlan {
   std::vector<OtherAnchor> other_anchors{};  ///< with the evidence, of the first plan
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
-  /// That the valve leaks less than kMildLeak_mm2, over errors of the hand, tissue and mesh (acceptance.h).
+  /// That the valve leaks less than kMildLeak_mm2, over errors of execution, tissue and mesh (acceptance.h).
   double acceptable_probability = 0.0;
   bool is_acceptable = false;  ///< plan_order.h
   int of_class = 0;            ///< from 1: plans of one class cannot be told apart

@@ -9,7 +9,7 @@
 namespace coapt {
 
 /// Whether the first plan is acceptable, which plans cannot be told apart from it, and whether its anchors matter: "Plans 1 to 3 cannot be told
-/// apart; plan 1 is the simplest of them. It leaks less than 5 mm² with a probability of 97 %, over errors of the hand, tissue and mesh."
+/// apart; plan 1 is the simplest of them. It leaks less than 5 mm² with a probability of 97 %, over errors of execution, tissue and mesh."
 /// @param plans as ranked. @return empty without plans
 std::string verdict_of(const std::vector<RankedPlan>& plans);
 
