@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kAnnularDepth =
     "Gogoladze 2010, Ann Thorac Surg 89:1158: 5.0 ± 0.7 in 10 normal, 8.6 ± 0.7 mm in 10 "
-    "functional valves (3D TEE; from which line it does not say; two sd)";
+    "functional valves (3D TEE; reference line not stated; two sd)";
 constexpr const char* kCoaptation =
     "Gogoladze 2010, Ann Thorac Surg 89:1158: anterior leaflet, mean of three places 3.1 ± 0.4 in "
     "10 normal and 1.7 ± 0.4 mm in 10 functional valves; at A2 3.2 ± 0.7 in the normal ones, not "
@@ -58,7 +58,8 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
   const std::vector<Species> human = {Human}, both = {Human, Porcine};
   constexpr const char* kCompetent = "competent: less than a trivial leak (assumed)";
   constexpr const char* kPressures =
-      "functional: falls as the closing force grows (He 1997, Circulation 96:1826); by how much is "
+      "functional: decreases with increasing closing force (He 1997, Circulation 96:1826); by how "
+      "much is "
       "assumed";
   static const std::vector<PhysiologyRange> ranges = {
       {"leak", healthy, both, 0.0, 1.0, kCompetent},
@@ -75,14 +76,16 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
       {"depth_plane", functional, human, 7.2, 10.0, kAnnularDepth},
       {"tenting_area", healthy, human, 60.0, 200.0,
        "95 ± 20 without regurgitation (Magne), 164 ± 47 and 202 ± 68 mm2 in 480 healthy women and "
-       "men (Dwivedi; both in a table of Open Heart); sources differ, so the whole is accepted"},
+       "men (Dwivedi; both in a table of Open Heart); sources differ, so their whole range is "
+       "accepted"},
       {"tenting_area", functional, human, 190.0, 380.0,
        "280 ± 80 in 240 (von Stumm), 300 ± 30 mm2 in 48 severe functional valves (Nappi; table of "
        "Open Heart; one sd)"},
       {"strut_over_marginal", any, both, 1.0, 10.0,
        "when struts are cut, anterior marginal chordae take over three quarters of their new "
        "tension "
-       "from them (He and Jowers 2008, J Heart Valve Dis 17:628): struts bore more; ends assumed"},
+       "from them (He and Jowers 2008, J Heart Valve Dis 17:628): struts carried more; ends "
+       "assumed"},
       {"struts_cut_ratio",
        {Healthy, Functional},
        both,
@@ -108,7 +111,8 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
       {"leak_200", healthy, both, 0.0, 1.0, kCompetent},
       {"leak_200_over_60", functional, both, 0.3, 0.9, kPressures},
       {"leak_200_over_60", prolapse, both, 0.8, 2.0,
-       "prolapse: stays or rises with pressure (Schwammenthal 1994, Circulation 90:307); by how "
+       "prolapse: constant or increasing with pressure (Schwammenthal 1994, Circulation 90:307); "
+       "by how "
        "much is assumed"},
       {"ring_40", functional, human, 20.0, 100.0, kRings},
       {"ring_36", functional, human, 5.0, 60.0, kRings},
@@ -121,7 +125,7 @@ const std::vector<PhysiologyRange>& physiology_ranges() {
       {"gradient", regurgitant, human, 0.5, 3.0,
        "1.7 mmHg before a clip (Herrmann 2009, EuroIntervention 4:437); spread assumed"},
       {"ring_opening_share", any, both, 0.0, 1.02,
-       "a ring does not open a valve wider (geometry); 2 % are the error of either area"},
+       "a ring cannot widen the opening (geometry); each area has an error of 2 %"},
       {"gradient_slope", any, human, 0.09, 0.36,
        "0.18 mmHg a mm in true-sized rings (Tomsic 2019); half to twice accepted"},
       {"clip_share", regurgitant, human, 0.4, 0.8, kHerrmann},
