@@ -176,7 +176,7 @@ class OneNumber(EngineTest):
         self.assert_printed(tension, self.report, before="Highest chordal tension")
         self.assert_printed(tension, self.closed_words, before="highest tension")
         finding = next(gate["finding"] for gate in plan["gates"] if gate["rule"] == "chordal_tension")
-        self.assert_printed(tension, finding, before=f"highest chordal tension goes from {NUMBER} to")
+        self.assert_printed(tension, finding, before=f"highest chordal tension changes from {NUMBER} to")
 
     def test_probability(self):
         plan, python = self.ranked(), self.python.plans[0]
