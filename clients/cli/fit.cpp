@@ -96,10 +96,10 @@ void print_hypotheses(std::ostream& out, const ValveFit& fit) {
     out << "  " << std::left << std::setw(14) << of.name << std::right << std::setw(13)
         << fixed(of.probability, 3);
     if (std::isnan(of.rms_mm))
-      out << "  does not close";
+      out << "  closure failed";
     else
       out << std::setw(9) << fixed(of.rms_mm, 3) << std::setw(11) << fixed(of.leak_mm2, 1)
-          << (of.name == fit.taken ? "  taken"
+          << (of.name == fit.taken ? "  selected"
               : of.refitted        ? ""
                                    : "  not fitted");
     out << '\n';

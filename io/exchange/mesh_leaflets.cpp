@@ -161,7 +161,7 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts, const LabelNumbers& given) {
   if (!others.empty())
     found.decisions.push_back(
         {"files", std::to_string(others.size()) + " of " + of + " not used: " + called(others),
-         "an import takes leaflets and an annulus of such a file",
+         "only leaflets and annulus are imported from such a file",
          !unnamed.empty() || !annulus.empty()});
   return found;
 }

@@ -47,7 +47,7 @@ Expected<const FaceLabels*> chosen_labels(const std::vector<FaceLabels>& arrays,
     if (const FaceLabels* array = named(wanted)) return array;
     return Error{ErrorCode::BadReference, "/cell_data",
                  "has no array '" + wanted.substr(0, 60) +
-                     "' of one number a cell; there are: " + listed_names(arrays)};
+                     "' with one number per cell; available: " + listed_names(arrays)};
   }
   for (const std::string_view name : kLeafletArrays)
     if (const FaceLabels* array = named(name)) return array;
@@ -102,9 +102,10 @@ std::optional<Error> displace(VtuGrid& grid, const std::string& name) {
     if (grid.mesh.vertices_mm.allFinite()) return {};
     return Error{ErrorCode::OutOfRange, "/point_data/" + name, "must be finite"};
   }
-  return Error{ErrorCode::BadReference, "/point_data",
-               "has no array '" + name.substr(0, 60) +
-                   "' of three numbers a point; there are: " + (names.empty() ? "none" : names)};
+  return Error{
+      ErrorCode::BadReference, "/point_data",
+      "has no array '" + name.substr(0, 60) +
+          "' with three numbers per point; available: " + (names.empty() ? "none" : names)};
 }
 
 Expected<LeafletMesh> read_grid(Expected<VtuGrid> grid, const ShapeFileOptions& options) {

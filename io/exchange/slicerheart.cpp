@@ -128,7 +128,7 @@ void choose_leaflets(const Found& found, ImportSource& source, ProblemList& prob
     source.order = {LeafletClaim::Named,
                     {"the surface named anterior", "the surface named posterior"},
                     {},
-                    "name them the other way round"};
+                    "exchange their names"};
   } else if (anterior.empty() && posterior.empty() && others.size() == 1) {
     source.leaflets = {found.surfaces.at(others[0])};
   } else {
@@ -166,10 +166,11 @@ void choose_annulus(const Found& found, ImportSource& source, ProblemList& probl
   if (curves.size() == 1) {
     return take_curve(*curves[0], source.annulus_mm, problems);
   }
-  problems.add(ErrorCode::MissingField, "",
-               "has " + std::to_string(curves.size()) +
-                   " closed curves for the annulus; must have one: save the annulus contour curve "
-                   "from Slicer as .mrk.json there (ValveFemExport writes no markups)");
+  problems.add(
+      ErrorCode::MissingField, "",
+      "has " + std::to_string(curves.size()) +
+          " closed curves for the annulus; must have one, so save the annulus contour curve from "
+          "Slicer as .mrk.json in the folder (ValveFemExport writes no markups)");
 }
 
 std::vector<LabelledTip> tips_of(const Found& found) {

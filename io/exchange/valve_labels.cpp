@@ -127,9 +127,10 @@ Expected<LabelMap> valve_labels(const ClosedValve& exported, const ValveShape& s
   map.placed = true;
   map.names = {{0, 1, "Anterior leaflet"}, {0, 2, "Posterior leaflet"}, {0, 3, "Annulus"}};
   if (const double inside = share_inside(map, shape.vertices_mm); inside < kLeastInside)
-    return Error{ErrorCode::BadGeometry, "/grid",
-                 "holds " + significant(100.0 * inside, 3) +
-                     " % of the valve; must be of the images that the valve was made from"};
+    return Error{
+        ErrorCode::BadGeometry, "/grid",
+        "holds " + significant(100.0 * inside, 3) +
+            " % of the valve; must be the grid of the images that the valve was made from"};
   map.voxels.assign(static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]), 0);
   const double edge = map.to_lps_mm.topLeftCorner<3, 3>().colwise().norm().maxCoeff();
   const double half = std::max(0.5 * valve.tissue.thickness_mm, kHalfDiagonal * edge);

@@ -46,10 +46,10 @@ Expected<std::optional<std::string>> data_file_of(std::string_view header) {
   if (name.empty() || name == "LIST" || name.starts_with("LIST ") ||
       name.find('%') != std::string::npos || naming_line(header, line->end + 1))
     return Error{ErrorCode::Unsupported, "",
-                 "names several files of voxels; must be one: save as .nrrd or .mha"};
+                 "names several voxel files, must name one; save as .nrrd or .mha"};
   if (name.find_first_of("/\\") != std::string::npos)
     return Error{ErrorCode::Unsupported, "",
-                 "names a file of voxels in another folder; must be beside it"};
+                 "names a voxel file in another folder, must be in the same folder"};
   return std::optional<std::string>(name);
 }
 

@@ -58,7 +58,7 @@ Expected<std::string> place(LabelMap& map, const ImageGeometry& image) {
   if (map.size != image.size)
     return Error{ErrorCode::BadReference, "/series",
                  "has " + words_of(image.size) + " voxels, the label map " + words_of(map.size) +
-                     "; must be the images that it was drawn on"};
+                     "; must be the segmented images"};
   const Vec3 own = edges(map.to_lps_mm), theirs = edges(image.to_lps_mm);
   const std::string spacing = significant(theirs[0], 4) + " x " + significant(theirs[1], 4) +
                               " x " + significant(theirs[2], 4) + " mm";
@@ -67,20 +67,20 @@ Expected<std::string> place(LabelMap& map, const ImageGeometry& image) {
     if (apart > theirs.maxCoeff())
       return Error{ErrorCode::BadGeometry, "/series",
                    "puts a corner of the label map " + significant(apart, 3) +
-                       " mm from where the map itself puts it; must be within a voxel"};
-    return "the label map's own, which differs from the series' by " + significant(apart, 3) +
+                       " mm from its position in the label map; must be within a voxel"};
+    return "taken from the label map, which differs from the series by " + significant(apart, 3) +
            " mm at most";
   }
   if (map.placed) {
-    return "the label map's own; the series has voxels of " + spacing + ", which differ by " +
+    return "taken from the label map; the series has voxels of " + spacing + ", which differ by " +
            significant((own - theirs).cwiseAbs().maxCoeff(), 3) +
-           " mm, and does not say where the patient is";
+           " mm, and does not state patient axes";
   }
   map.to_lps_mm = image.to_lps_mm;
   map.placed = image.placed;
   return "voxels of " + spacing +
-         (image.placed ? ", origin and directions of the series: the label map has none"
-                       : "; neither the series nor the label map says where the patient is");
+         (image.placed ? ", origin and directions from the series, because the label map has none"
+                       : "; neither the series nor the label map states patient axes");
 }
 
 }  // namespace coapt

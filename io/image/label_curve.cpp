@@ -90,8 +90,8 @@ int bridge(Ring& ring) {
 
 Error no_ring(const LabelAt& label, const std::string& why) {
   return {ErrorCode::BadGeometry, "",
-          "has a label " + std::to_string(label.value) + " that is no ring: " + why +
-              "; an annulus must be a closed band round the orifice"};
+          "has a label " + std::to_string(label.value) + " that is not a ring: " + why +
+              "; an annulus must be a closed band around the orifice"};
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ Expected<Points> label_curve(const LabelMap& map, const LabelAt& label) {
     if (pass < kCentrings) middle += ring.line.colwise().mean() * axes.transpose();
   }
   if (ring.least_radius < kLeastHole * ring.mean_radius)
-    return no_ring(label, "it has no hole in its middle");
+    return no_ring(label, "it has no central hole");
   if (ring.widest_band > kWidestBand)
     return no_ring(
         label, "it is wider than half its radius of " + significant(ring.mean_radius, 3) + " mm");

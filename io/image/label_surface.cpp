@@ -272,11 +272,11 @@ Expected<TriangleMesh> label_surface(const LabelMap& map, const LabelAt& label) 
     return Error{ErrorCode::BadReference, "",
                  "has no voxel of label " + std::to_string(label.value)};
   if (const Index triangles = 2 * voxels.crossings(box); triangles > kMostTriangles)
-    return Error{
-        ErrorCode::OutOfRange, "",
-        "has " + std::to_string(triangles) + " triangles about label " +
-            std::to_string(label.value) +
-            ", must be at most 1000000: is it a leaflet, and are its voxels not too small?"};
+    return Error{ErrorCode::OutOfRange, "",
+                 "has " + std::to_string(triangles) + " triangles around label " +
+                     std::to_string(label.value) +
+                     ", must be at most 1000000; check that it is a leaflet and that the voxel "
+                     "size is correct"};
   TriangleMesh mesh = SurfaceNet(voxels, box).mesh();
   smooth(mesh);
   const Eigen::Matrix3d axes = map.to_lps_mm.topLeftCorner<3, 3>();

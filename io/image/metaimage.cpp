@@ -78,7 +78,7 @@ class MetaImageReader {
   Expected<LabelMap> read() {
     if (header_.field("ElementDataFile") != "LOCAL")
       return Error{ErrorCode::Unsupported, "/ElementDataFile",
-                   "names another file; give that beside this one, or save as .mha"};
+                   "names another file; provide it together with this one, or save as .mha"};
     read_size();
     if (problems_.empty()) read_geometry();
     if (!problems_.empty()) return std::move(problems_).take();
@@ -116,7 +116,7 @@ class MetaImageReader {
     if (spacing.empty()) spacing = numbers_in(header_.field("ElementSize"));
     if (spacing.size() != axes_)
       return problems_.add(ErrorCode::MissingField, "/ElementSpacing",
-                           "must be as many numbers as DimSize: how large is a voxel?");
+                           "must have as many numbers as DimSize, to define the voxel size");
     auto directions = first_of({"TransformMatrix", "Rotation", "Orientation"});
     const auto offset = first_of({"Offset", "Position", "Origin"});
     map_.placed = directions.size() == axes_ * axes_;

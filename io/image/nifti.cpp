@@ -143,10 +143,10 @@ bool rows_contradict(const HeaderFields& header, LabelMap& map, ProblemList& pro
       !((edges - said.cwiseAbs()).array().abs() <= kSameEdge * said.array().abs()).all();
   const bool quaternion = header.qform_code() > 0.0;
   if (other && said.allFinite() && said.cwiseAbs().minCoeff() > 0.0) {
-    const std::string what = "the rows of the sform make voxels of " + edges_text(edges) +
-                             ", pixdim says " + edges_text(said.cwiseAbs());
+    const std::string what = "the sform has voxels of " + edges_text(edges) + ", pixdim has " +
+                             edges_text(said.cwiseAbs());
     if (quaternion)
-      map.frame_doubt = "the qform is taken: " + what;
+      map.frame_doubt = "the qform is used: " + what;
     else
       problems.add(ErrorCode::BadGeometry, "/srow",
                    "contradicts pixdim: " + what + "; correct one of them");
@@ -156,7 +156,7 @@ bool rows_contradict(const HeaderFields& header, LabelMap& map, ProblemList& pro
   const Eigen::Matrix3d cosines = axes.transpose() * axes - Eigen::Matrix3d::Identity();
   if (cosines.cwiseAbs().maxCoeff() > kSquare)
     map.frame_doubt =
-        "the sform is taken, which shears: its axes are " +
+        "the sform is used although it is sheared: its axes are " +
         significant(
             std::asin(std::min(1.0, cosines.cwiseAbs().maxCoeff())) * 180.0 / std::numbers::pi, 2) +
         " degrees off a right angle";
@@ -165,8 +165,8 @@ bool rows_contradict(const HeaderFields& header, LabelMap& map, ProblemList& pro
     const Eigen::Matrix4d apart = rows - qform(header);
     const double away = std::max(apart.col(3).head<3>().norm(), (apart * far).head<3>().norm());
     if (away > kSamePlace * edges.minCoeff())
-      map.frame_doubt = "the sform is taken; the qform places voxels up to " +
-                        significant(away, 2) + " mm elsewhere";
+      map.frame_doubt =
+          "the sform is used; the qform differs by up to " + significant(away, 2) + " mm";
   }
   return false;
 }
@@ -218,7 +218,7 @@ void check_numbers(const HeaderFields& header, ProblemList& problems) {
                       (std::isfinite(inter) && inter != 0.0 && slope != 0.0);
   if (scaled)
     problems.add(ErrorCode::Unsupported, "/scl_slope",
-                 "scales the numbers, as of intensities; must be 0 or 1, and scl_inter 0");
+                 "scales the values, as for intensities; must be 0 or 1, and scl_inter 0");
   if (!type_of(header.datatype()))
     problems.add(ErrorCode::Unsupported, "/datatype",
                  "is " + std::to_string(header.datatype()) +
@@ -249,7 +249,8 @@ Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels, int pha
                                                   : std::string_view(head.data() + 344, 4);
   using namespace std::string_view_literals;
   if (size != 0 && (magic == "ni1\0"sv || magic == "ni2\0"sv))
-    return Error{ErrorCode::Unsupported, "", "has its voxels in another file; must be one, .nii"};
+    return Error{ErrorCode::Unsupported, "",
+                 "has its voxels in another file; must be a single file, .nii"};
   if (magic != (size == kHeader2 ? "n+2\0"sv : "n+1\0"sv) || size == 0) return none;
   if (size > kHeader1 && !stream.read(head.data() + kHeader1, size - kHeader1)) return none;
   const HeaderFields header({head.data(), size}, order);

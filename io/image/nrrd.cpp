@@ -62,7 +62,8 @@ Expected<Header> header_of(std::string_view bytes) {
       header.fields[lower(text.substr(0, colon))] = trimmed(text.substr(colon + 1));
     }
   }
-  return Error{ErrorCode::InputOutput, "", "has no empty line behind its header: is truncated"};
+  return Error{ErrorCode::InputOutput, "",
+               "has no empty line after its header, so it is truncated"};
 }
 
 std::optional<VoxelType> type_of(const std::string& name) {
@@ -178,7 +179,7 @@ class NrrdReader {
   void check_attached() {
     if (header_.fields.contains("data file") || header_.fields.contains("datafile"))
       problems_.add(ErrorCode::Unsupported, "/data file",
-                    "names another file; give that beside this one, or save as .nrrd");
+                    "names another file; provide it together with this one, or save as .nrrd");
   }
 
   Axes read_axes() {
@@ -189,7 +190,7 @@ class NrrdReader {
     if (to_integer(header_.field("dimension")).value_or(0) != std::ssize(axes.sizes) || count < 3 ||
         count > 4) {
       problems_.add(ErrorCode::OutOfRange, "/sizes",
-                    "must be as many as dimension says, 3, or 4 with an axis of layers");
+                    "must match dimension: 3, or 4 with an axis of layers");
       return axes;
     }
     Index voxels = 1;
@@ -205,10 +206,9 @@ class NrrdReader {
     if (count == 4) axes.list = list_axis();
     axes.time = axes.list >= 0 && is_time(axes.list);
     if (count == 4 && axes.list < 0)
-      problems_.add(
-          ErrorCode::Unsupported, "/kinds",
-          "must tell one axis of layers (list) or phases (time) of the four, whose space direction "
-          "is none");
+      problems_.add(ErrorCode::Unsupported, "/kinds",
+                    "must mark one of the four axes as layers (list) or phases (time), with space "
+                    "direction none");
     else if (axes.time && axes.layers() > kMostPhases)
       problems_.add(ErrorCode::OutOfRange, "/sizes", "has more than the 1000 phases accepted");
     else if (!axes.time && axes.layers() > kMostLayers)
@@ -305,7 +305,7 @@ class NrrdReader {
     }
     if (steps.size() != 3)
       problems_.add(ErrorCode::MissingField, "/space directions",
-                    "is missing, and so are three spacings: how large is a voxel?");
+                    "is missing, as are three spacings, so the voxel size is unknown");
     return steps;
   }
 

@@ -31,7 +31,8 @@ std::optional<std::uint16_t> label_of(double number) {
 Error no_label(double number) {
   return {ErrorCode::OutOfRange, "/data",
           "has the number " + shown(number) +
-              ", must be labels, whole numbers from 0 to 65535; is this the image itself?"};
+              ", must be labels, whole numbers from 0 to 65535 (is this the image instead of its "
+              "segmentation?)"};
 }
 
 template <class T>

@@ -150,7 +150,7 @@ std::string known_figure(const Estimate& estimate, double units = 1.0) {
 std::string opening_figure(const RankedPlan& plan) {
   if (!plan.opening) return "";
   if (!trusted(*plan.opening))
-    return key_figure("Opening in diastole", "not known",
+    return key_figure("Opening in diastole", "unknown",
                       plan.opening->behind_clip ? "with a clip" : "no equilibrium was reached");
   return key_figure("Opening in diastole", known_figure(plan.estimates.opening_mm2, 0.01) + " cm²",
                     "mean gradient " + known_figure(plan.estimates.gradient_mmhg) +
@@ -224,8 +224,7 @@ std::string how_sure(const RankedPlan& plan) {
     words += ". ";
   } else {
     words =
-        "This plan was not closed under errors of execution: how it tolerates small errors is not "
-        "known. ";
+        "This plan was not closed with errors of execution, so its tolerance to them is unknown. ";
   }
   if (plan.model)
     words +=

@@ -66,7 +66,7 @@ class Fit(ProgramTest):
         self.assertIn("marginal chordae of P2 assumed ruptured", valve["provenance"][-1])
         self.assertEqual(sum(chorda["ruptured"] for chorda in valve["chordae"]), 2)
         table = coapt("fit", whole, "--closed", closed, *options, "--ruptured", "--rounds", "1").stdout
-        self.assertRegex(table, r"ruptured_P2 .* taken")
+        self.assertRegex(table, r"ruptured_P2 .* selected")
         without = coapt("fit", whole, "--closed", closed, *options, "--rounds", "1", "--json").stdout
         self.assertNotIn("hypotheses", json.loads(without))
 

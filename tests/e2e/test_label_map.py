@@ -120,7 +120,7 @@ class LabelMaps(ProgramTest):
         image = IMAGES / "no-frame.nii.gz"
         self.assertIn("--label: is front=1", self.refused(image, "--label", "front=1"))
         self.assertIn("--label/anterior: is 9", self.refused(image, "--label", "anterior=9"))
-        self.assertIn("is no ring", self.refused(image))
+        self.assertIn("is not a ring", self.refused(image))
         self.assertIn("has no DICOM image", self.refused(image, "--series", SHEETS))
         self.assertIn("has an unknown role", self.refused(SOURCE / "README.md"))
         self.assertIn(

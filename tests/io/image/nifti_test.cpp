@@ -84,7 +84,7 @@ TEST(Nifti, RowsThatContradictPixdimGiveWayToTheQuaternionOrAreRefused) {
     const Expected<LabelMap> map = read_nifti(with_rows(wrong, true));
     ASSERT_TRUE(map) << map.errors()[0].message;
     EXPECT_TRUE(map->centre_mm(1, 1, 1).cwiseAbs().isApprox(right, 1e-6));
-    EXPECT_NE(map->frame_doubt.find("the qform is taken"), std::string::npos);
+    EXPECT_NE(map->frame_doubt.find("the qform is used"), std::string::npos);
     EXPECT_EQ(path_of(with_rows(wrong, false)), "/srow");
   }
   const Expected<LabelMap> same = read_nifti(with_rows(right * 1.001, true));
@@ -94,7 +94,7 @@ TEST(Nifti, RowsThatContradictPixdimGiveWayToTheQuaternionOrAreRefused) {
 
 TEST(Nifti, AShearOrAnotherPlaceIsDoubted) {
   const Vec3 edges(0.5, 0.6, 0.7);
-  EXPECT_NE(read_nifti(with_rows(edges, false, 0.05F))->frame_doubt.find("shears"),
+  EXPECT_NE(read_nifti(with_rows(edges, false, 0.05F))->frame_doubt.find("sheared"),
             std::string::npos);
   EXPECT_NE(read_nifti(with_rows(edges, true, 0.0F, 3.0F))->frame_doubt.find("up to 3 mm"),
             std::string::npos);
