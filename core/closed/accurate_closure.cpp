@@ -35,7 +35,7 @@ Expected<AccurateClosure> close_within(const Valve& valve, double error_mm2,
   if (!tier)
     return too_small(error_mm2,
                      error_of(accuracy_tiers().back(), options.membrane).p99_mm2 / kStoppingShare,
-                     "the mesh error that remains with the tightest tolerances");
+                     "the accuracy that the tightest tolerances allow");
   const ClosureOptions tolerances = at_tier(options, *tier);
   AccurateClosure accurate{close_and_measure(valve, tolerances), *tier, 0};
   ClosedValve& closed = accurate.closed;

@@ -45,8 +45,7 @@ void print(std::ostream& out, const ClosureStudy& study, const ClosureStudyOptio
       out << "scene " << i << ": " << to_string(study.scenes[i].status)
           << (study.scenes[i].crossing ? ", crossed\n" : "\n");
   if (options.predicted)
-    out << study.not_predicted
-        << " could not be predicted; besides, the seven closures around each: "
+    out << study.not_predicted << " could not be predicted; the seven closures around each: "
         << study.frames_per_second_per_core << " scenes a second and core\n";
   if (options.library > 0)
     out << study.not_predicted
@@ -54,11 +53,12 @@ void print(std::ostream& out, const ClosureStudy& study, const ClosureStudyOptio
            "libraries took "
         << study.library_seconds << " s of a core\n";
   if (!options.accuracy) return;
-  out << "Distance from their own end state (residual 1e-6): rms median " << quantile(rms, 0.5)
+  out << "Distance from the equilibrium (residual 1e-6): rms median " << quantile(rms, 0.5)
       << ", 90 % below " << quantile(rms, 0.9) << " mm; leak 90 % below " << quantile(leak, 0.9)
       << " mm2\n"
       << study.other_equilibria << " of " << study.compared
-      << " settle elsewhere (0.05 mm rms or more) when closed differently; their leaks differ by "
+      << " reach another equilibrium (0.05 mm rms or more) when closed differently; their leaks "
+         "differ by "
       << study.leak_difference_p90_mm2 << " (90 % below), at most by "
       << study.leak_difference_max_mm2 << " mm2\n";
 }
@@ -70,16 +70,17 @@ Expected<std::optional<AccuracyTier>> apply_accuracy(std::optional<double> accur
   if (!accuracy_mm2) return std::optional<AccuracyTier>();
   if (closure.method != Method::Fast)
     return Error{ErrorCode::Unsupported, "/accuracy",
-                 "is known for method fast only; leave out --method thesis"};
+                 "is available only for method fast; leave out --method thesis"};
   const Expected<AccuracyTier> tier = choose_tier(*accuracy_mm2, closure.membrane);
   if (!tier) return tier.errors();
   closure = at_tier(closure, *tier);
   const TierError& error = error_of(*tier, closure.membrane);
   std::cerr << "coapt-lab: accuracy: residual " << tier->residual_tolerance << ", predicted way "
             << tier->way_tolerance_mm << " mm, membrane " << to_string(closure.membrane)
-            << ": leak within " << error.p99_mm2 << " mm2 of this mesh's own end in 99 of 100 "
+            << ": leak within " << error.p99_mm2
+            << " mm2 of the equilibrium of this mesh in 99 of 100 "
             << "measured scenes, " << error.max_mm2 << " in all, at " << error.relative_time
-            << " times the default's time; the error of the mesh is another\n";
+            << " times the default's time; the mesh error is not included\n";
   return std::optional<AccuracyTier>(*tier);
 }
 
@@ -109,10 +110,10 @@ Errors check_start(const ClosureStudyOptions& options) {
     const std::string path = std::string("/") + name;
     if (options.closure.method != Method::Fast)
       problems.add(ErrorCode::Unsupported, path,
-                   "is for method fast only; leave out --method thesis");
+                   "is available only for method fast; leave out --method thesis");
     if (first != nullptr)
       problems.add(ErrorCode::Unsupported, path,
-                   std::string("is another start than --") + first + "; leave out one of them");
+                   std::string("cannot be combined with --") + first + "; leave out one of them");
     else
       first = name;
   }
@@ -147,45 +148,46 @@ int run(const BenchArguments& arguments) {
 
 void add_bench_closures(Command parent, int& status) {
   const auto arguments = std::make_shared<BenchArguments>();
-  Command command =
-      parent.add_command("closures", "Close many variations of a valve: speed and accuracy");
+  Command command = parent.add_command(
+      "closures", "Measure speed and accuracy of closures on many variations of a valve");
   ClosureStudyOptions& study = arguments->study;
   command
-      .add_option(
-          "valve", arguments->valve,
-          std::string(kValveHelp) +
-              "; or presets: all of them in turn; or anatomies: as many random ones as scenes, "
-              "drawn from the seed")
+      .add_option("valve", arguments->valve,
+                  std::string(kValveHelp) +
+                      "; or presets, for all presets in turn; or anatomies, for a random anatomy "
+                      "per variation")
       .required();
-  command.add_option("--count", study.count, "How many variations")
+  command.add_option("--count", study.count, "Number of variations")
       .check(number_from(1, 1'000'000))
       .show_default();
-  command.add_option("--seed", study.seed, "Same seed, same variations")
+  command.add_option("--seed", study.seed, "Random seed; the same seed gives the same variations")
       .check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
       .show_default();
-  command.add_option("--threads", study.threads, "0: all cores; does not change the closures")
+  command
+      .add_option("--threads", study.threads,
+                  "Number of threads (0: all cores); does not change the closures")
       .check(number_from(0, 1024))
       .show_default();
   add_method_option(command, study.closure.method);
   add_membrane_option(command, study.closure.membrane);
   command
       .add_option("--accuracy", arguments->accuracy_mm2,
-                  "Largest error of the leak from stopping early, mm2, in 99 of 100 scenes: "
-                  "uses the fastest tolerances measured to keep it (method fast)")
+                  "Use the fastest tolerances that kept the error of the leak from the stopping "
+                  "criterion below this value, mm2, in 99 of 100 test cases (method fast)")
       .check(number_from(0.0, std::numeric_limits<double>::max()))
       .show_argument("MM2");
   command.add_flag("--no-accuracy", arguments->no_accuracy,
                    "Skip the two further closures of each variation that errors are measured from");
   command.add_flag("--warm", study.warm,
-                   "Start each closure from that of a neighbour, tips within 1 mm; compared with a "
-                   "cold start instead of a closure at half the speed");
+                   "Start each closure from that of a neighbour with tips within 1 mm, and compare "
+                   "with a cold start instead of a closure at half the speed");
   command.add_flag("--predicted", study.predicted,
-                   "Start each closure from what seven around it, tips within 1 mm, let expect; "
-                   "these are timed by themselves; compared with a cold start");
+                   "Start each closure from a prediction by seven neighbours with tips within 1 "
+                   "mm, timed separately, and compare with a cold start");
   command
       .add_option("--library", study.library,
-                  "Start each closure from so many other closed variations of its valve, 40 for "
-                  "instance, which are timed by themselves; compared with a cold start. 0: no")
+                  "Start each closure from this many other closed variations of its valve, 40 for "
+                  "instance, timed separately, and compare with a cold start; 0: do not")
       .check(number_from(0, 1000))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON");

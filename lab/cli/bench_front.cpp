@@ -128,7 +128,7 @@ int run(const BenchFrontArguments& arguments) {
 void add_bench_front(Command parent, int& status) {
   const auto arguments = std::make_shared<BenchFrontArguments>();
   Command command = parent.add_command(
-      "front", "Compare how fast the search and its rivals find what plans trade");
+      "front", "Compare how fast the search and its rivals find the Pareto front");
   command
       .add_option("-o,--output", arguments->directory,
                   "Directory for front.csv, front-rise.csv, front-rise.png")
@@ -137,15 +137,16 @@ void add_bench_front(Command parent, int& status) {
                      "Some of functional, porcine-both, human-pm, real, ischaemic, flail-p2");
   command.add_option("--method", arguments->methods,
                      "Some of coapt, random, pagmo_nsga2, pagmo_moead");
-  command.add_option("--seeds", arguments->seeds, "Runs of each method on each lattice")
+  command.add_option("--seeds", arguments->seeds, "Number of runs of each method on each lattice")
       .check(number_from(1, 1000))
       .show_default();
-  command.add_option("--threads", arguments->threads, "0: all cores")
+  command.add_option("--threads", arguments->threads, "Number of threads (0: all cores)")
       .check(number_from(0, 1024))
       .show_default();
   command
       .add_option("--budget", arguments->budget,
-                  "Plans that a rival may try; coapt stops by itself, at 3,000 closures at most")
+                  "Maximum number of plans for a rival; coapt stops by itself, after at most 3,000 "
+                  "closures")
       .check(number_from(1, 100000))
       .show_default();
   command.add_option("--real", arguments->real, "The measured valve of the lattice named real")
@@ -154,7 +155,7 @@ void add_bench_front(Command parent, int& status) {
                      "The program with the optimisers of pagmo (default: coapt-rivals beside this "
                      "one, if make rivals built it)");
   command.footer(
-      "Closures and openings are kept in the output directory, so an interrupted run resumes.\n\n"
+      "Closures and openings are stored in the output directory, so an interrupted run resumes.\n\n"
       "Examples:\n"
       "  coapt-lab bench front -o bench-front\n"
       "  coapt-lab bench front --lattice functional --seeds 3");

@@ -78,26 +78,26 @@ void add_bench_indications(Command parent, int& status) {
   search.plans = 3;
   search.region_points = 17;
   Command command = parent.add_command(
-      "indications", "Table whether first plans are those that a valve's disease indicates");
-  command.add_option("-o,--output", arguments->output, "The table, as CSV").show_default();
+      "indications", "Tabulate whether first plans are indicated by the disease of the valve");
+  command.add_option("-o,--output", arguments->output, "File for the table (CSV)").show_default();
   command.add_option("--valve", arguments->valves,
                      "Some of the table's valves (default: eight presets, four remodelled ones and "
                      "the members)");
-  command.add_option("--members", arguments->members, "Of a population of adults")
+  command.add_option("--members", arguments->members, "Number of members of a population of adults")
       .check(number_from(0, 1000))
       .show_default();
   command.add_option("--population-seed", arguments->population_seed, "Other members")
       .check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
       .show_default();
-  command.add_option("--evaluations", search.evaluations, "Closures of a search")
+  command.add_option("--evaluations", search.evaluations, "Number of closures of a search")
       .check(number_from(1, 100000))
       .show_default();
-  command.add_option("--seed", search.seed, "Of the first search of a valve")
+  command.add_option("--seed", search.seed, "Random seed of the first search of a valve")
       .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 53))
       .show_default();
   command
       .add_option("--seeds", arguments->judged.seeds,
-                  "Searches of a valve, whose first plans are ranked together")
+                  "Number of searches per valve, whose first plans are ranked together")
       .check(number_from(1, 100))
       .show_default();
   command
@@ -106,7 +106,9 @@ void add_bench_indications(Command parent, int& status) {
                   "first plan")
       .check(number_from(0, 100000))
       .show_argument("N");
-  command.add_option("--threads", search.threads, "0: all cores; does not change the table")
+  command
+      .add_option("--threads", search.threads,
+                  "Number of threads (0: all cores); does not change the table")
       .check(number_from(0, 1024))
       .show_default();
   command.footer(

@@ -191,14 +191,15 @@ void add_bench_search(Command parent, int& status) {
   command.add_option("--lattice", arguments->lattices,
                      "Some of functional, porcine-both, human-pm, real, ischaemic, flail-p2");
   command.add_option("--method", arguments->methods, "Some of coapt, random, sobol, bobyqa, ...");
-  command.add_option("--seeds", arguments->seeds, "Runs of each method on each lattice")
+  command.add_option("--seeds", arguments->seeds, "Number of runs of each method on each lattice")
       .check(number_from(1, 1000))
       .show_default();
   command
-      .add_option("--budget", arguments->budget, "Plans that a rival may try, at 17 closures each")
+      .add_option("--budget", arguments->budget,
+                  "Maximum number of plans for a rival, at 17 closures each")
       .check(number_from(1, 100000))
       .show_default();
-  command.add_option("--threads", arguments->threads, "0: all cores")
+  command.add_option("--threads", arguments->threads, "Number of threads (0: all cores)")
       .check(number_from(0, 1024))
       .show_default();
   command.add_option("--real", arguments->real, "The measured valve of the lattice named real")
@@ -208,9 +209,9 @@ void add_bench_search(Command parent, int& status) {
                      "beside this one, if make rivals built it)");
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
-      "Solving the six lattices takes 400,000 closures (half an hour on two cores). They are kept "
-      "in\n"
-      "lattices.sqlite in the output directory, so an interrupted run resumes, and a second one "
+      "Solving the six lattices takes 400,000 closures (half an hour on two cores). They are "
+      "stored in\nlattices.sqlite in the output directory, so an interrupted run resumes, and a "
+      "second one "
       "takes\n"
       "minutes.\n\n"
       "Examples:\n"

@@ -60,7 +60,7 @@ int run_verdicts(const std::string& directory, const VerdictStudyOptions& option
 
 /// --preset and --anatomies.
 void add_valves(Command command, std::vector<std::string>& presets, int& anatomies) {
-  command.add_option("--preset", presets, "Only these presets").show_default();
+  command.add_option("--preset", presets, "Use only these presets").show_default();
   command.add_option("--anatomies", anatomies, "Random anatomies besides, one varied scene of each")
       .check(number_from(0, 10000))
       .show_default();
@@ -82,7 +82,8 @@ void add_mesh(Command chart, int& status) {
       .show_default();
   command.add_flag("--refined", options->refined,
                    "Refine a mesh of 650 triangles twice instead of making the valve anew");
-  command.add_option("--seed", options->seed, "Same seed, same scenes").show_default();
+  command.add_option("--seed", options->seed, "Random seed; the same seed gives the same scenes")
+      .show_default();
   add_membrane_option(command, options->membrane);
   add_threads_option(command, options->threads, "areas");
   command.footer(
@@ -112,7 +113,8 @@ void add_uniqueness(Command chart, int& status) {
   command.add_option("--bending", options->bending_n_mm, "Flexural rigidities, N mm")
       .check(number_from(0.0, 10.0))
       .show_default();
-  command.add_option("--seed", options->seed, "Same seed, same scenes").show_default();
+  command.add_option("--seed", options->seed, "Random seed; the same seed gives the same scenes")
+      .show_default();
   add_membrane_option(command, options->membrane);
   add_threads_option(command, options->threads, "ends");
   command.footer(
@@ -133,7 +135,8 @@ void add_verdicts(Command chart, int& status) {
   command.add_option("--plans", options->plans, "Random plans for each of six valves")
       .check(number_from(2, 50))
       .show_default();
-  command.add_option("--seed", options->seed, "Same seed, same plans").show_default();
+  command.add_option("--seed", options->seed, "Random seed; the same seed gives the same plans")
+      .show_default();
   command
       .add_option("--nodes", options->nodes,
                   "Of the region of interest, for the order of plans on both meshes")

@@ -27,7 +27,9 @@ std::shared_ptr<std::string> add_output(Command command) {
 }
 
 void add_threads_option(Command command, int& threads, const std::string& what) {
-  command.add_option("--threads", threads, "0: all cores; does not change the " + what)
+  command
+      .add_option("--threads", threads,
+                  "Number of threads (0: all cores); does not change the " + what)
       .check(number_from(0, 1024))
       .show_default();
 }

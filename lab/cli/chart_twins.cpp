@@ -26,10 +26,10 @@ void add_twins(Command chart, int& status) {
       .show_default();
   command
       .add_option("--refinements", options->refinements,
-                  "How often the mesh is refined that twins are closed on")
+                  "Number of refinements of the mesh on which twins are closed")
       .check(number_from(0, 2))
       .show_default();
-  command.add_flag("--leak-unknown", *unknown_leak, "The fit is not told the leak");
+  command.add_flag("--leak-unknown", *unknown_leak, "Withhold the leak from the fit");
   add_threads_option(command, options->fit.threads, "twins");
   command.footer(
       "Each twin is drawn from the priors of the fit, closed on a finer mesh, and seen from "

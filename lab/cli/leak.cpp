@@ -50,7 +50,8 @@ int run(const LeakArguments& arguments) {
   std::cout << agreements_table(leak_agreements(cases));
   const auto lost = std::count_if(cases.begin(), cases.end(),
                                   [](const LeakCase& one) { return !one.is_trusted; });
-  if (lost > 0) std::cout << lost << " of " << cases.size() << " valves came to no rest\n";
+  if (lost > 0)
+    std::cout << lost << " of " << cases.size() << " valves did not reach equilibrium\n";
   return exit_code::kOk;
 }
 
@@ -60,13 +61,13 @@ void add_leak(Command parent, int& status) {
   const auto arguments = std::make_shared<LeakArguments>();
   LeakStudyOptions& study = arguments->study;
   Command command = parent.add_command(
-      "leak", "Compare every measure of the leak with the least surface on voxels");
+      "leak", "Compare every measure of the leak with the smallest surface on voxels");
   command.add_option("-o,--output", arguments->directory, "Directory for leaks.csv, openings.csv")
       .show_default();
   command.add_option("--count", study.count, "Presets, then drawn valves; odd ones are held out")
       .check(number_from(1, 100'000))
       .show_default();
-  command.add_option("--seed", study.seed, "Same seed, same valves")
+  command.add_option("--seed", study.seed, "Random seed; the same seed gives the same valves")
       .check(number_from(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
       .show_default();
   command.add_option("--finest", study.finest_mm, "The reference's smallest voxel, mm")
@@ -75,9 +76,8 @@ void add_leak(Command parent, int& status) {
   command.add_flag("--surfaces", arguments->surfaces, "Write each valve's surface there, too");
   add_threads_option(command, study.threads, "areas");
   command.footer(
-      "A fifth each of the drawn valves is as it is, has a ring, a clip, two neochordae, or ring "
-      "and\n"
-      "clip. Takes seconds a valve, at --finest 0.125 half a minute.\n\n"
+      "Of the drawn valves, one fifth each is unrepaired, has a ring, a clip, two neochordae, or a "
+      "ring and\na clip. Takes seconds per valve, half a minute with --finest 0.125.\n\n"
       "Example:\n"
       "  coapt-lab leak --count 60 -o leak");
   command.on_run([arguments, &status] { status = run(*arguments); });

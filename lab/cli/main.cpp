@@ -23,7 +23,7 @@ constexpr Program kLab = {
     "Examples:\n"
     "  coapt-lab bench closures human-normal --count 200\n"
     "  coapt-lab chart stability --scene porcine-1 -o charts\n"
-    "Each command's --help has more; `man coapt-lab` has all.\n\n"
+    "See `coapt-lab COMMAND --help` for details and `man coapt-lab` for the manual.\n\n"
     "Exit codes: 0 done; 1 coapt-lab failed; 2 bad input or usage; 3 a closure did not converge or "
     "leaflets\n"
     "cross; 130 interrupted.",
