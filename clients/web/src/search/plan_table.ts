@@ -20,7 +20,7 @@ export interface PlanTable {
 const columns = (): [label: Child, unit: string][] => [
   [term('cost', 'Cost'), 'mm²'],
   [term('region', 'Leak'), 'mean ± sd, mm²'],
-  ['95th percentile', 'mm²'],
+  ['Leak', '95th pct., mm²'],
   [term('opening', 'Opening'), 'cm²'],
   [term('durability', 'Reserve'), 'mm'],
   [term('coaptation', 'Coaptation'), 'mean (min), mm'],
