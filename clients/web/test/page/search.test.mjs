@@ -168,7 +168,10 @@ test('what plans trade is drawn, told plan by plan, and stands in a table', asyn
   await page.keyboard.press('ArrowRight')
   assert.match(await here.textContent(), /^Plan 2: /)
   await page.keyboard.press('ArrowRight')
-  assert.match(await here.textContent(), /^Plan A: leak 0\.4 mm² .*Not ranked, because it was closed at only 17 region points\.$/)
+  assert.match(
+    await here.textContent(),
+    /^Plan A: leak 0\.4 mm² .*Not ranked, because it was closed at only 17 region points\.$/,
+  )
   await trade.getByText('Show as table').click()
   const rows = (part) => trade.locator(`[data-part=${part}] tbody th`)
   await rows('as-table').first().waitFor()
