@@ -94,7 +94,7 @@ int run(const Command& command, PlanArguments arguments) {
 void add_plan(Command parent, int& status) {
   const auto arguments = std::make_shared<PlanArguments>();
   SearchOptions& options = arguments->options;
-  Command command = parent.add_command("plan", "Search repair plans and rank them");
+  Command command = parent.add_command("plan", "Search for repair plans and rank them");
   command
       .add_option("valve", arguments->valves,
                   std::string(kValveHelp) + "; several valves are planned one after another")
@@ -150,7 +150,7 @@ void add_plan(Command parent, int& status) {
       "for errors of single sutures, independent\nerrors of execution and further remodelling. "
       "Finally each plan and the unrepaired valve are closed\non a finer mesh (--fine-levels) and "
       "in the same variants of tissue and chordae (--model-draws). Both\nenter the probability "
-      "that a plan is acceptable; plans that these do not separate are tied.\n\nAn interrupted "
+      "that a plan is acceptable.\n\nAn interrupted "
       "search resumes when run again with the same --store and ends with the same "
       "ranking.\n\nCtrl-C stops the search and prints the best plans so far (exit code 130) once "
       "the closures in\nprogress have ended. A second Ctrl-C ends coapt at once (130 in the shell) "

@@ -79,7 +79,7 @@ std::string page_of(const ModelStudy& study, const std::string& valve) {
   chart.panels.push_back({{"leak", "leak, mm²", "draws"}, "mm²", {std::move(sample)}});
   return study_page(
       "Tissue error of the leak: " + valve, lead_of(study),
-      {{"The leak over the variants", "", histogram_chart_svg(chart), areas_table(study)},
+      {{"Distribution of the leak", "", histogram_chart_svg(chart), areas_table(study)},
        {"Sensitivity of the leak", decides_words(study), "", parameters_table(study)}});
 }
 

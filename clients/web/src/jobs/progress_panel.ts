@@ -66,7 +66,7 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
     const entries: [string, string][] = [
       [unit, planned > 0 ? `${grouped(closures)} of ${grouped(planned)}` : grouped(closures)],
       ['time', seconds(progress.seconds)],
-      [job.kind === 'study' ? 'remaining in this stage' : 'time left', left === null ? 'unknown yet' : roughly(left)],
+      [job.kind === 'study' ? 'remaining in this stage' : 'time left', left === null ? 'not yet known' : roughly(left)],
     ]
     if (progress.rms_mm !== undefined) entries.push(['distance, rms', withUnit(progress.rms_mm, 'mm', 2)])
     figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))

@@ -104,7 +104,7 @@ export const OPTIMISER: NumberOption[] = [
     most: 200,
     step: INTEGER,
     fallback: 8,
-    hint: 'Tissue and chordae vary within the ranges of their sources; plans that the variants do not separate are equivalent.',
+    hint: 'Tissue and chordae vary within the ranges of their sources; they enter the probability that a plan leaks less than 5 mm².',
   },
   {
     pointer: '/seed',
