@@ -145,7 +145,7 @@ void add_calibrate(Command parent, int& status) {
       .check(number_from(0, 1024))
       .show_default();
   add_farm_option(command, arguments->farm,
-                  "Compute the closures of --anchors (the fit itself runs here)");
+                  "Compute the closures of --anchors, but not the fit itself,");
   command.footer(
       "Each start takes about 20,000 closures. An interrupted fit restarts from the beginning.\n\n"
       "Examples:\n"

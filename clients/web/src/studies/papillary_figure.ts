@@ -42,7 +42,7 @@ export function papillaryFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     h('h3', {}, 'Largest orifice by displaced axes, mm² (table 4.1)'),
     h('p', { class: parts.hint }, 'T transverse, P posterior, A apical; the valve of the thesis is not published.'),
     dataTable(
-      'Largest orifice by class and displaced axes, mm², beside the thesis',
+      'Largest orifice by class and displaced axes, mm², compared with the thesis',
       [{ label: 'displaced' }, ...AXES.map((label) => ({ label, numeric: true }))],
       classes.flatMap((name) => [
         [name, ...largestByAxes(of(name)).map((area) => number(area))],

@@ -56,7 +56,7 @@ export function ringFigure(rows: Row[], signal: AbortSignal): HTMLElement {
     }),
     h('h3', {}, 'Largest share, % (table 4.2)'),
     dataTable(
-      'Largest share of the orifice under the proper size, percent, beside the thesis',
+      'Largest share of the orifice with the proper size, percent, compared with the thesis',
       [{ label: 'displaced' }, ...SIZES.map((size) => ({ label: `U${size}`, numeric: true }))],
       classes.flatMap((name) => [
         [name, ...SIZES.map((size) => number(spread(percentOf(of(name, size))).high))],
