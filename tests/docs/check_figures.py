@@ -194,7 +194,7 @@ def indications(rows):
     return expected
 
 
-@repeats(SEARCH, "| valve | first plan | bears, mm |", "figures/challenges.csv")
+@repeats(SEARCH, "| valve | first plan | reserve, mm |", "figures/challenges.csv")
 def challenges(rows):
     known = by(rows, "valve")
     names = "durability_mm first_plan ring_acceptable ring_durability_mm challengers beat_first ahead_of_first".split()

@@ -78,7 +78,11 @@ def rms(values):
 
 def assert_report(test, page):
     """A page with pictures that says where the valve comes from."""
-    wanted = ("<!DOCTYPE html>", "data:image/png;base64,iVBOR", f"not imaged; synthesised from anatomical data with seed {SEED}")
+    wanted = (
+        "<!DOCTYPE html>",
+        "data:image/png;base64,iVBOR",
+        f"not imaged; synthesised from anatomical data with seed {SEED}",
+    )
     test.assertEqual([words for words in wanted if words not in page], [])
 
 
