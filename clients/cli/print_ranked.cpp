@@ -11,6 +11,7 @@
 
 #include "clients/cli/print.h"
 #include "core/closed/diagnosis.h"
+#include "core/valve/number_text.h"
 #include "io/json/json.h"
 #include "io/picture/text.h"
 
@@ -82,7 +83,7 @@ void print_row(std::ostream& out, const Json& plan) {
                                         : std::numeric_limits<double>::quiet_NaN();
   out << std::setw(4) << plan["rank"].get<int>() << "  " << std::left << std::setw(14)
       << leak_words(plan) << std::right << std::setw(8)
-      << (std::isfinite(likely) ? percent(likely) : "-") << std::setw(8)
+      << (std::isfinite(likely) ? probability_text(likely) : "-") << std::setw(8)
       << known_estimate(plan, "durability_mm") << std::setw(8)
       << known_estimate(plan, "opening_area_mm2", 0.01) << std::setw(10)
       << known_estimate(plan, "gradient_mmhg") << std::setw(7) << plan["plan"]["steps"].size()

@@ -12,13 +12,28 @@ namespace {
 std::string in_mm(double value) { return with_decimals(value, 0) + " mm"; }
 
 /// "P1", "P1 and P2", "P1, P2 and P3".
-std::string names_of(const std::vector<SegmentDiagnosis>& segments) {
-  std::string names;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    names += std::string(i == 0                    ? ""
-                         : i + 1 < segments.size() ? ", "
-                                                   : " and ") +
-             to_string(segments[i].segment);
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+/// Their names; both sides of a commissure are one lesion: "the anterolateral commissure (A1 and P1)".
+std::vector<std::string> names_of(const std::vector<SegmentDiagnosis>& segments) {
+  const auto has = [&](Segment wanted) {
+    return std::any_of(segments.begin(), segments.end(),
+                       [wanted](const SegmentDiagnosis& one) { return one.segment == wanted; });
+  };
+  std::vector<std::string> names;
+  const bool anterolateral = has(Segment::A1) && has(Segment::P1);
+  const bool posteromedial = has(Segment::A3) && has(Segment::P3);
+  if (anterolateral) names.push_back("the anterolateral commissure (A1 and P1)");
+  if (posteromedial) names.push_back("the posteromedial commissure (A3 and P3)");
+  for (const SegmentDiagnosis& one : segments)
+    if (!(anterolateral && (one.segment == Segment::A1 || one.segment == Segment::P1)) &&
+        !(posteromedial && (one.segment == Segment::A3 || one.segment == Segment::P3)))
+      names.push_back(to_string(one.segment));
   return names;
 }
 
@@ -51,10 +66,10 @@ std::string of_excess(const Diagnosis& diagnosis) {
                                            return a.override_mm < b.override_mm;
                                          });
   std::string what;
-  if (!flail.empty()) what = "the chordae of " + names_of(flail) + " are ruptured";
-  if (!others.empty())
-    what += (what.empty() ? "" : ", ") + names_of(others) +
-            (others.size() == 1 ? " prolapses" : " prolapse");
+  if (!flail.empty()) what = "the chordae of " + joined(names_of(flail)) + " are ruptured";
+  if (const std::vector<std::string> names = names_of(others); !names.empty())
+    what += (what.empty() ? "" : ", ") + joined(names) +
+            (names.size() == 1 ? " prolapses" : " prolapse");
   return what + ": " + height_of(highest, all.size() == 1);
 }
 

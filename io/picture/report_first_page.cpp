@@ -5,6 +5,7 @@
 
 #include "core/closed/diagnosis_sentence.h"
 #include "core/repair/limits.h"
+#include "core/valve/number_text.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
 #include "io/picture/report_words.h"
@@ -71,7 +72,7 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words = "The valve is competent; no repair is indicated.";
   else if (acceptable)
     words = "The repaired valve leaks less than 5 mm² with a probability of " +
-            percent(plan.acceptable_probability) + ", given " + grouped(region.closures) +
+            probability_text(plan.acceptable_probability) + ", given " + grouped(region.closures) +
             " errors of execution and the errors of tissue and mesh.";
   else if (!closes_finely(plan))
     words =
@@ -81,7 +82,7 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words =
         "This plan is not acceptable: the repaired valve leaks less than 5 mm² with a probability "
         "of only " +
-        percent(plan.acceptable_probability) + ".";
+        probability_text(plan.acceptable_probability) + ".";
   std::string html =
       acceptable ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
   html += escape_html(words) + "</strong>";

@@ -57,13 +57,6 @@ std::string choice_of(const std::vector<RankedPlan>& plans) {
          std::to_string(threshold_settings().size()) + " settings, " + others + ".";
 }
 
-/// To a tenth near all and nothing, as tables print it.
-std::string percent_words(double share) {
-  const double value = 100.0 * share;
-  const bool near_an_end = (value > 0.0 && value < 10.0) || (value > 90.0 && value < 100.0);
-  return with_decimals(value, near_an_end ? 1 : 0) + " %";
-}
-
 }  // namespace
 
 std::string verdict_of(const std::vector<RankedPlan>& plans) {
@@ -71,7 +64,7 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
   const RankedPlan& first = plans.front();
   const std::string likely = "leaks less than " + shown(kMildLeak_mm2) +
                              " mm² with a probability of " +
-                             percent_words(first.acceptable_probability);
+                             probability_text(first.acceptable_probability);
   if (first.plan.steps.empty())
     return "Without repair the valve " + likely + ", given the errors of tissue and mesh" +
            (first.is_acceptable ? "; no repair is needed." : ".");

@@ -95,6 +95,25 @@ TEST(Diagnosis, SaysInASentenceWhy) {
       "ruled out. The leak is too close to 5 mm² to tell whether the valve is competent.");
 }
 
+TEST(Diagnosis, BothSidesOfACommissureAreOneLesion) {
+  Diagnosis lateral;
+  lateral.leak_mm2 = 30.0;
+  lateral.types = {CarpentierType::II};
+  for (std::size_t i = 0; i < lateral.segments.size(); ++i)
+    lateral.segments[i].segment = kScallops[i];
+  for (SegmentDiagnosis& one : lateral.segments)
+    if (one.segment == Segment::A1 || one.segment == Segment::P1) {
+      one.finding = SegmentFinding::Prolapse;
+      one.highest_mm = 3.0;
+    }
+  const auto says = [&](const char* words) {
+    return sentence_of(lateral).find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says("because the anterolateral commissure (A1 and P1) prolapses"));
+  lateral.segments[4].finding = SegmentFinding::Prolapse;
+  EXPECT_TRUE(says("the anterolateral commissure (A1 and P1) and P2 prolapse:"));
+}
+
 TEST(Diagnosis, IsTheSameHoweverTheValveLies) {
   const Valve& valve = shared_preset("human-functional-mr", 650);
   const ClosedValve closed = close_and_measure(valve);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/valve/number_text.h"
+
 namespace coapt {
 namespace {
 
@@ -72,6 +74,14 @@ TEST(Text, SharesAreFinerNearNothingAndAll) {
   EXPECT_EQ(percent(0.992), "99.2 %");
   EXPECT_EQ(percent(1.0), "100 %");
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "n/a");
+}
+
+TEST(Text, ProbabilitiesAreNeverCertain) {
+  EXPECT_EQ(probability_text(0.62), "62 %");
+  EXPECT_EQ(probability_text(0.9741), "97.4 %");
+  EXPECT_EQ(probability_text(0.99967), "> 99.9 %");
+  EXPECT_EQ(probability_text(1.0), "> 99.9 %");
+  EXPECT_EQ(probability_text(0.0), "< 0.1 %");
 }
 
 TEST(Text, AnErrorSaysHowManyDigitsAreKnown) {

@@ -21,7 +21,7 @@ export function headline(before: Scene, after: Scene | null, drawn: Information 
       term('leak', 'leak'),
       `${leakPlace(closure)}, `,
       tissue
-        ? term('tissue', '5 to 95 % by what is not known of the tissue')
+        ? term('tissue', '5 to 95 % with tissue error')
         : closure.leak.error_mm2 === null
           ? 'error not known'
           : term('error', '± numerical error'),

@@ -1,4 +1,4 @@
-// The leak on finer and finer meshes, until it settles: asked for by a button, because it takes seconds to a minute.
+// The leak on finer and finer meshes, until it converges: asked for by a button, because it takes seconds to a minute.
 import { proveLeak } from '../api/calls'
 import type { Closure } from '../api/types'
 import { button, h } from '../dom'
@@ -10,10 +10,10 @@ import parts from '../style/parts.module.css'
 
 type Convergence = NonNullable<Closure['convergence']>
 const ENDS: Record<Convergence['stop'], string> = {
-  settled: 'It has settled.',
-  most_meshes: 'It has not settled.',
-  vertex_limit: 'It has not settled; the next mesh would have too many vertices.',
-  not_closed: 'The last closure did not come to rest, so that it says nothing.',
+  settled: 'It has converged.',
+  most_meshes: 'It has not converged.',
+  vertex_limit: 'It has not converged; the next mesh would have too many vertices.',
+  not_closed: 'The last closure did not converge, so its leak is unreliable.',
 }
 
 export function makeSure(workspace: Workspace): HTMLElement {
@@ -63,7 +63,7 @@ export function makeSure(workspace: Workspace): HTMLElement {
   )
 }
 
-/// "The leak is 58.1 and 57.6 mm² on 648 and 2,592 triangles (0.1 and 1.4 s). It has settled."
+/// "The leak is 58.1 and 57.6 mm² on 648 and 2,592 triangles (0.1 and 1.4 s). It has converged."
 export function sureWords({ levels, stop }: Convergence): string {
   const of = (words: (level: Convergence['levels'][number]) => string): string => joined(levels.map(words))
   const leaks = of(({ leak_mm2 }) => number(leak_mm2))

@@ -30,10 +30,10 @@ test('what narrows the range is named where it tells much', () => {
   expect(narrowing(null)).toBe('')
 })
 
-test('finer meshes say each leak, its time and whether it has settled', () => {
+test('finer meshes say each leak, its time and whether it has converged', () => {
   const level = (triangles: number, leak_mm2: number, seconds: number) => ({ triangles, leak_mm2, seconds })
   const levels = [level(648, 58.12, 0.1), level(2592, 57.64, 1.42)]
   expect(sureWords({ levels, stop: 'settled' } as unknown as Parameters<typeof sureWords>[0])).toBe(
-    'The leak is 58.1 and 57.6 mm² on 648 and 2,592 triangles (0.1 and 1.4 s). It has settled.',
+    'The leak is 58.1 and 57.6 mm² on 648 and 2,592 triangles (0.1 and 1.4 s). It has converged.',
   )
 })
