@@ -91,7 +91,8 @@ TEST(SyntheticChordae, LengthsAreTakenWithinABudgetOrNotAtAll) {
   const Expected<Valve> spent = with_synthetic_chordae(human(), 1, kUnseen, {1000.0});
   ASSERT_FALSE(spent);
   EXPECT_EQ(spent.errors().front().code, ErrorCode::OutOfRange);
-  EXPECT_TRUE(spent.errors().front().message.starts_with("the closure takes more than 1000"));
+  EXPECT_TRUE(spent.errors().front().message.starts_with(
+      "the closure that determines chordal lengths takes more than 1000"));
   const Expected<Valve> within = with_synthetic_chordae(human(), 1, kUnseen, {1e9});
   ASSERT_TRUE(within);
   EXPECT_EQ(within->chordae, with_synthetic_chordae(human(), 1, kUnseen)->chordae);

@@ -45,7 +45,7 @@ TEST(Describe, SpeaksOfResectionsAndEdges) {
   EXPECT_EQ(
       line(EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}),
       "edge-to-edge clip, 6 mm wide, the free edge of A2 to the free edge of P2, 5 mm of each "
-      "leaflet grasped, annulus drawn in by 11 %");
+      "leaflet grasped, annulus reduced by 11 %");
 }
 
 }  // namespace
