@@ -104,7 +104,7 @@ class Export(ProgramTest):
         self.run_ok("export", "human-normal", "-o", f"{self.folder}/model/")
         result = coapt("export", "human-normal", "--open", "-o", f"{self.folder}/model/")
         self.assertEqual(result.returncode, BAD_INPUT)
-        self.assertIn("model/measurements.csv is from an earlier export", result.stderr)
+        self.assertIn("model/measurements.csv is left from an earlier export", result.stderr)
 
     def test_a_folder_with_problems_is_refused_with_all_of_them(self):
         self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/model/")

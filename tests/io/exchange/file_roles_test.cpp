@@ -148,7 +148,8 @@ TEST(FileRoles, TwoOfOneRoleAndUnknownFilesAreNamed) {
   const Expected<SortedFiles> twice = sorted_files({{"a.nrrd", ""}, {"b.nii", ""}});
   ASSERT_FALSE(twice);
   EXPECT_EQ(twice.errors()[0].path, "/files/1");
-  EXPECT_EQ(twice.errors()[0].message, "is a label map, as is file 1; must be one of each");
+  EXPECT_EQ(twice.errors()[0].message,
+            "is a label map, as is file 1; only one file per role is allowed");
   EXPECT_EQ(sorted_files({{"a.pdf", ""}}).errors()[0].path, "/files/0");
 }
 

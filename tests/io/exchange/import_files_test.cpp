@@ -42,8 +42,9 @@ TEST(ImportFiles, GivenAxesOverruleAHeaderAndTheDecisionSaysSo) {
   const Expected<ImportSource> source = read_import_files(with_head("# SPACE=LPS\n"), reading);
   ASSERT_TRUE(source);
   ASSERT_EQ(source->decisions.size(), 1U);
-  EXPECT_EQ(source->decisions[0].value, "leaflets: RAS, turned to LPS");
-  EXPECT_EQ(source->decisions[0].reason, "as given, against their headers, which say SPACE=LPS");
+  EXPECT_EQ(source->decisions[0].value, "leaflets: RAS, converted to LPS");
+  EXPECT_EQ(source->decisions[0].reason,
+            "as given, contrary to their headers, which state SPACE=LPS");
 }
 
 TEST(ImportFiles, FilesOfDifferentAxesAreTurnedOneByOne) {

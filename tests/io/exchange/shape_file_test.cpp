@@ -31,7 +31,7 @@ TEST(ShapeFile, NamesTheArraysThatThereAreIfOneIsMissing) {
   const Expected<LeafletMesh> mesh = read_shape(kTwoLabels, "vtk", {"parts", ""});
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.errors()[0].code, ErrorCode::BadReference);
-  EXPECT_NE(mesh.errors()[0].message.find("there are: leaflet, other"), std::string::npos);
+  EXPECT_NE(mesh.errors()[0].message.find("available: leaflet, other"), std::string::npos);
 }
 
 TEST(ShapeFile, OfAnotherFormatIsUnsupported) {

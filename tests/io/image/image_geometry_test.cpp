@@ -22,9 +22,9 @@ TEST(ImageGeometry, AMapWithoutAFrameTakesThatOfItsImages) {
   ASSERT_TRUE(said);
   EXPECT_EQ(map.to_lps_mm, kFrame);
   EXPECT_TRUE(map.placed);
-  EXPECT_EQ(
-      *said,
-      "voxels of 0.5 x 0.6 x 0.7 mm, origin and directions of the series: the label map has none");
+  EXPECT_EQ(*said,
+            "voxels of 0.5 x 0.6 x 0.7 mm, origin and directions from the series, because the "
+            "label map has none");
 }
 
 TEST(ImageGeometry, AMapWithAFrameKeepsItAndTheDifferenceIsSaid) {
@@ -34,7 +34,7 @@ TEST(ImageGeometry, AMapWithAFrameKeepsItAndTheDifferenceIsSaid) {
   const Expected<std::string> said = place(map, {kSize, kFrame, true});
   ASSERT_TRUE(said);
   EXPECT_EQ(map.to_lps_mm, moved);
-  EXPECT_EQ(*said, "the label map's own, which differs from the series' by 0.3 mm at most");
+  EXPECT_EQ(*said, "taken from the label map, which differs from the series by 0.3 mm at most");
 }
 
 TEST(ImageGeometry, OtherSizesAndFramesFarApartAreRefused) {

@@ -214,7 +214,7 @@ TEST(LabelSurface, ACheckerboardIsRefusedWithItsTriangles) {
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.errors()[0].code, ErrorCode::OutOfRange);
   EXPECT_TRUE(mesh.errors()[0].message.starts_with(
-      "has 1053696 triangles about label 1, must be at most 1000000"));
+      "has 1053696 triangles around label 1, must be at most 1000000"));
 }
 
 TEST(LabelSurface, ALabelThatIsNotThereIsSaid) {

@@ -29,8 +29,9 @@ TEST(ImportDrawn, TwoSheetsAndAnAnnulusAreEnough) {
   ASSERT_TRUE(valve);
   EXPECT_GE(valve->chordae.size(), 12u);
   EXPECT_EQ(valve->drawn_chordae, (DrawnChordae{1, false}));
-  EXPECT_NE(valve->provenance.back().find("not seen; drawn from anatomy with seed 1"),
-            std::string::npos);
+  EXPECT_NE(
+      valve->provenance.back().find("not imaged; synthesised from anatomical data with seed 1"),
+      std::string::npos);
 }
 
 TEST(ImportDrawn, EveryDecisionIsASentenceOfTheProvenance) {

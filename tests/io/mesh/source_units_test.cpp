@@ -106,10 +106,9 @@ TEST(SourceUnits, AMirrorImageIsTurnedRound) {
   const Expected<Valve> valve = import_valve(mirrored, options);
   ASSERT_TRUE(valve) << valve.errors().front().message;
   EXPECT_LT((valve->rest_mm - reference.rest_mm).cwiseAbs().maxCoeff(), 1e-9);
-  EXPECT_NE(
-      std::find(valve->provenance.begin(), valve->provenance.end(),
-                "frame: every x of the files turned round; they are a mirror image, as given"),
-      valve->provenance.end());
+  EXPECT_NE(std::find(valve->provenance.begin(), valve->provenance.end(),
+                      "frame: all files mirrored (x reversed); they are a mirror image, as given"),
+            valve->provenance.end());
 }
 
 TEST(SourceUnits, TheAtriumIsNotTurnedWhereTipsTell) {

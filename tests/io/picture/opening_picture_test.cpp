@@ -16,7 +16,7 @@ TEST(OpeningPicture, SaysWhatWasMeasured) {
   EXPECT_EQ(opening_words(measure),
             (std::vector<std::string>{
                 "Opening 4.5 cm²", "mean gradient 1.0 mmHg at 155 ml/s, 1.9 mmHg at 217 ml/s",
-                "seen from the atrium 4.0 cm²; annulus in diastole 13.4 cm²"}));
+                "projected on the annular plane 4.0 cm²; annulus in diastole 13.4 cm²"}));
   OpeningMeasure unknown = measure;
   unknown.opening_area_mm2 = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(opening_words(unknown).empty());

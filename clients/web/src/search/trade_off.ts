@@ -25,7 +25,7 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
         title: TITLE,
         summary: tradeSummary(result),
         x: {
-          label: 'leak with errors of execution, mean + sd, mm²',
+          label: 'leak, mean + sd, mm²',
           least: 1.2 * COMPETENT_MM2,
           most: Math.max(GOOD_REPAIR_MM2, ...ranked.map(({ x }) => x)),
           limit: { value: COMPETENT_MM2, label: 'from 1 mm²: mild' },

@@ -291,13 +291,13 @@ test('plans and meshes can be saved, the report opened', async () => {
 test('a plan is kept, and tried by hand', async () => {
   const plan = page.locator('[data-part=plan]').first()
   await plan.getByRole('button', { name: 'Keep' }).click()
-  await plan.getByText('Kept:').waitFor()
+  await plan.getByText('Kept;').waitFor()
   await plan.getByRole('button', { name: 'Try by hand' }).click()
   await page.waitForFunction(() => location.hash.startsWith('#/repair?'))
 })
 
 test('the list tells what was found; what one tab removes is gone in the other', async () => {
-  await page.getByRole('link', { name: 'Search' }).click()
+  await page.getByRole('link', { name: 'Search', exact: true }).click()
   const entries = (of) => of.locator('[data-part=jobs] li')
   await entries(page)
     .first()
