@@ -44,7 +44,7 @@ async function csv() {
 }
 
 test('exam A: four closed valves, the flaccid one under the hook, a choice; nothing tells the answer', async () => {
-  await page.getByLabel('Task').selectOption('study-1')
+  await page.getByRole('combobox', { name: 'Task' }).selectOption('study-1')
   await page.getByLabel('Learner').fill('7')
   await press('Start')
   await task('Four valves under pressure')
@@ -73,7 +73,7 @@ test('exam A: four closed valves, the flaccid one under the hook, a choice; noth
 
 test('exam B in practice: eight segments are judged, the answer is told, the engine scores both trials', async () => {
   await press('Exams and practice')
-  await page.getByLabel('Task').selectOption('practice B')
+  await page.getByRole('combobox', { name: 'Task' }).selectOption('practice B')
   await page.getByLabel('First case').fill('3')
   await press('Start')
   await task('Pull each free edge')
@@ -96,7 +96,7 @@ test('exam B in practice: eight segments are judged, the answer is told, the eng
 
 test('exam A in practice: the answer says which segment gave the valve away, and shows it', async () => {
   await press('Exams and practice')
-  await page.getByLabel('Task').selectOption('practice A')
+  await page.getByRole('combobox', { name: 'Task' }).selectOption('practice A')
   await press('Start')
   await task('Four valves under pressure')
   await press('Continue to the flaccid valve')
