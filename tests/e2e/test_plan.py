@@ -99,7 +99,7 @@ class Plan(ProgramTest):
         self.assertEqual(own["fine_mesh"]["levels"], 0)
         self.assertEqual([plan["fine"] for plan in own["plans"]], [None] * len(own["plans"]))
         self.assertEqual(own["closures"], result["closures"])
-        self.assertRegex(words(), r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it leaves")
+        self.assertRegex(words(), r"\nFiner mesh: 2,592 triangles, unrepaired leak \d+\.\d mm2; it does not change")
 
     def test_reported_plans_are_closed_under_draws_of_the_model(self):
         result, _ = search(threads=1)
@@ -249,7 +249,7 @@ class Plan(ProgramTest):
         result = coapt("plan", VALVE, "--seconds", "1e-9")
         self.assertEqual(result.returncode, NO_COMPETENT_PLAN)
         self.assertIn("\nno plan yet\n", result.stdout)
-        self.assertNotIn("rank", result.stdout)
+        self.assertNotIn("\nrank ", result.stdout)
 
     def test_the_time_limit_ends_the_search(self):
         result = out_of_time()

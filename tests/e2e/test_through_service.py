@@ -208,7 +208,6 @@ class OnlyHere(ThroughService):
         ring = self.write("ring.json", RING)
         for arguments, named in [
             (("close", VALVE, "--closed", self.folder / "x.ply"), "--closed"),
-            (("close", VALVE, "--draws", 8), "--draws"),
             (("evaluate", VALVE, ring, "--no-evidence", "--threads", 1), "--threads"),
             (("plan", VALVE, "--store", self.folder / "x.sqlite"), "--store"),
             (("study", "ring", VALVE, "--threads", 1, "-o", self.folder / "s"), "--threads"),

@@ -137,7 +137,7 @@ class Told(FarmTest):
         request = Request(10)
         self.farm("add", "-", stdin=request.bytes())
         other = self.farm("work", "--until-dry", TOY_REVISION="later")
-        self.assertIn("revision toy; this one is later", other.stderr)
+        self.assertIn("revision toy; this worker has later", other.stderr)
         self.assertEqual(self.done(), 0)
         self.assertIn("waits for a worker of revision toy", self.farm("status").stdout.decode())
 
