@@ -98,7 +98,7 @@ class Compare(ProgramTest):
         )
         self.assertAlmostEqual(moved["rms_mm"], 2, places=12)
         self.refused("has no array 'no'", vtu, vtu, "--leaflets", "no")
-        self.refused("has no array 'no' of three numbers a point; there are: U", vtu, vtu, "--displacement", "no")
+        self.refused("has no array 'no' with three numbers per point; available: U", vtu, vtu, "--displacement", "no")
 
     def refused(self, words, *arguments):
         result = coapt("compare", *arguments)

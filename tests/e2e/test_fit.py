@@ -115,7 +115,10 @@ class Fit(ProgramTest):
             (["--closed", few], "must be at least 100"),
             (["--closed", given], "must end in one of"),
             (["--closed", closed, "--frame", "patient"], "/patient_frame: is missing"),
-            (["--closed", closed, "--known", "slack", "tips", "prestretch", "hidden"], "--known: excludes every parameter"),
+            (
+                ["--closed", closed, "--known", "slack", "tips", "prestretch", "hidden"],
+                "--known: excludes every parameter",
+            ),
             (["--closed", closed, "--leak", "nan"], "--leak"),
         ):
             run = coapt("fit", given, *arguments, *output)

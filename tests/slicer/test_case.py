@@ -178,7 +178,7 @@ class Flow(SlicerTest):
         self.assertRegex(said, 'no label is named the anterior leaflet(.|\n)*Of the labels 1 is "Annulus"[.]')
         given = example(names=("Septal leaflet", "Tricuspid anterior", "Annulus"))
         taken.take(given)
-        self.assertRegex(self.trouble(taken.importing(self.service)), "has a leaflet of another valve by its name")
+        self.assertRegex(self.trouble(taken.importing(self.service)), "has a label named as a leaflet of another valve")
 
     def test_a_cancelled_search_ends_with_its_best_or_says_that_there_is_none(self):
         taken = case.Case()
