@@ -28,11 +28,17 @@ inline std::string significant(double number, int digits) {
 inline std::string shown(double number) { return significant(number, 6); }
 
 /// Of an estimate, so that it is never 0 or 100 %: "62 %"; to a tenth near the ends: "97.4 %", "> 99.9 %".
-inline std::string probability_text(double probability) {
+inline std::string probability_text(double probability, const std::string& over = "> ",
+                                    const std::string& under = "< ") {
   const double value = 100.0 * probability;
-  if (value > 99.95) return "> 99.9 %";
-  if (value < 0.05) return "< 0.1 %";
+  if (value > 99.95) return over + "99.9 %";
+  if (value < 0.05) return under + "0.1 %";
   return with_decimals(value, value < 10.0 || value > 90.0 ? 1 : 0) + " %";
+}
+
+/// The same in a sentence: "more than 99.9 %".
+inline std::string probability_words(double probability) {
+  return probability_text(probability, "more than ", "less than ");
 }
 
 }  // namespace coapt

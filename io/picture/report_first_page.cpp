@@ -72,7 +72,7 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words = "The valve is competent; no repair is indicated.";
   else if (acceptable)
     words = "The repaired valve leaks less than 5 mm² with a probability of " +
-            probability_text(plan.acceptable_probability) + ", given " + grouped(region.closures) +
+            probability_words(plan.acceptable_probability) + ", given " + grouped(region.closures) +
             " errors of execution and the errors of tissue and mesh.";
   else if (!closes_finely(plan))
     words =
@@ -82,7 +82,7 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words =
         "This plan is not acceptable: the repaired valve leaks less than 5 mm² with a probability "
         "of only " +
-        probability_text(plan.acceptable_probability) + ".";
+        probability_words(plan.acceptable_probability) + ".";
   std::string html =
       acceptable ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
   html += escape_html(words) + "</strong>";

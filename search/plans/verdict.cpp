@@ -64,7 +64,7 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
   const RankedPlan& first = plans.front();
   const std::string likely = "leaks less than " + shown(kMildLeak_mm2) +
                              " mm² with a probability of " +
-                             probability_text(first.acceptable_probability);
+                             probability_words(first.acceptable_probability);
   if (first.plan.steps.empty())
     return "Without repair the valve " + likely + ", given the errors of tissue and mesh" +
            (first.is_acceptable ? "; no repair is needed." : ".");

@@ -139,7 +139,7 @@ class Told(FarmTest):
         other = self.farm("work", "--until-dry", TOY_REVISION="later")
         self.assertIn("revision toy; this worker has later", other.stderr)
         self.assertEqual(self.done(), 0)
-        self.assertIn("waits for a worker of revision toy", self.farm("status").stdout.decode())
+        self.assertIn("waiting for a worker of revision toy", self.farm("status").stdout.decode())
 
     def test_progress_is_told_every_second(self):
         request = Request(60, ms=40)

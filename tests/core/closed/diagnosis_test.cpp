@@ -7,6 +7,7 @@
 #include "core/closed/closed_valve.h"
 #include "core/closed/diagnosis_sentence.h"
 #include "core/valve/remodel.h"
+#include "core/valve/ruptures.h"
 #include "tests/scenes/small_preset.h"
 
 namespace coapt {

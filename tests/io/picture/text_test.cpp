@@ -82,6 +82,7 @@ TEST(Text, ProbabilitiesAreNeverCertain) {
   EXPECT_EQ(probability_text(0.99967), "> 99.9 %");
   EXPECT_EQ(probability_text(1.0), "> 99.9 %");
   EXPECT_EQ(probability_text(0.0), "< 0.1 %");
+  EXPECT_EQ(probability_words(1.0), "more than 99.9 %");
 }
 
 TEST(Text, AnErrorSaysHowManyDigitsAreKnown) {
