@@ -93,7 +93,10 @@ test('a picture that comes when its search is no longer open is dropped', async 
 test('all plans stand in one table, with the reason of the first; pictures follow the theme', async () => {
   const table = page.locator('[data-part=ranked] table')
   assert.equal(await table.locator('tbody tr').count(), 3) // the valve as it is, two plans
-  assert.match(await page.locator('[data-part=why]').textContent(), /leaks less than 5 mm² with a probability of (more than )?\d/)
+  assert.match(
+    await page.locator('[data-part=why]').textContent(),
+    /leaks less than 5 mm² with a probability of (more than )?\d/,
+  )
   await page.locator('[data-part=diagnosis]', { hasText: 'Carpentier type' }).waitFor()
   const corner = () =>
     page

@@ -159,8 +159,10 @@ test('what images show narrows the range of the leak, and stays with the valve',
   assert.equal(await panel.getByLabel('Widest gap', { exact: true }).inputValue(), '5')
   assert.deepEqual(await accessProblems(page), [])
   await page.getByLabel('Preset').selectOption('human-functional-mr')
-  await page.waitForFunction(() => document.querySelector('[data-part=observed] input').value === '')
-  assert.equal(await page.evaluate(() => globalThis.coapt.state().valve.reference), 'human-functional-mr')
+  await page.waitForFunction(() => globalThis.coapt.state().valve.reference === 'human-functional-mr')
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('[data-part=observed] input')].every(({ value }) => value === ''),
+  )
 })
 
 test('finer meshes make the leak sure, as the service says', async () => {
