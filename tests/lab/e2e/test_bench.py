@@ -24,7 +24,7 @@ class BenchClosures(ProgramTest):
     def test_warm_starts_of_method_thesis_are_refused(self):
         result = coapt_lab(*CLOSURES, "--warm", "--method", "thesis")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
-        self.assertIn("--warm: is for method fast only", result.stderr)
+        self.assertIn("--warm: is available only for method fast", result.stderr)
 
 
 class BenchSearch(ProgramTest):

@@ -82,7 +82,7 @@ test('exam B in practice: eight segments are judged, the answer is told, the eng
     await page.getByLabel(`${segment} ${segment === 'P2' ? 'prolapsing' : 'normal'}`).check()
   assert.deepEqual(await accessProblems(page), [])
   await press('Answer')
-  await task(/of 8 segments are right/)
+  await task(/of 8 segments are correct/)
   assert.equal(await page.locator('[data-part=truth] tr').count(), 9)
   assert.deepEqual(await accessProblems(page), [])
   await press('Stop')
