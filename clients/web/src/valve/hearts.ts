@@ -1,12 +1,12 @@
-// The valve that is open beside what was measured measured: a row for each quantity, asked for by a button because it takes seconds.
+// The valve that is open beside what was measured in hearts: a row for each quantity.
 import { comparePhysiology } from '../api/calls'
 import type { Physiology, PhysiologyRow } from '../api/types'
 import { dataTable, figure } from '../charts/data_table'
-import { button, h, type Child } from '../dom'
+import { h, type Child } from '../dom'
 import { number, typeset } from '../format'
 import { explained } from '../help/term'
-import { problemList } from '../problems'
-import { problemsOf, type Workspace } from '../workspace'
+import type { Workspace } from '../workspace'
+import { valveQuestion } from './valve_question'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -24,44 +24,12 @@ const KINDS: Record<Physiology['kind'], string> = {
 }
 
 export function heartsPanel(workspace: Workspace): HTMLElement {
-  let asked: AbortController | null = null
-  let shown: string | null = null // the reference of the valve that is compared, or was
-  const ask = button('Compare with measurements', () => void compare())
-  const progress = h('progress', { 'aria-label': 'Comparing with measurements', hidden: true })
-  const answer = h('div', { class: valveStyle.hearts, 'aria-live': 'polite' })
-  workspace.subscribe(() => shown !== null && workspace.valve?.reference !== shown && clear())
-
-  async function compare(): Promise<void> {
-    const { valve } = workspace
-    if (!valve) return
-    clear()
-    shown = valve.reference
-    const mine = new AbortController()
-    asked = mine
-    setBusy(true)
-    try {
-      const physiology = await comparePhysiology(valve.reference, mine.signal)
-      if (asked === mine) answer.replaceChildren(...rowsOf(physiology))
-    } catch (error) {
-      if (asked === mine) answer.replaceChildren(problemList(problemsOf(error)))
-    }
-    if (asked === mine) setBusy(false)
-  }
-
-  /// What is asked of another valve is not waited for.
-  function clear(): void {
-    asked?.abort()
-    asked = null
-    shown = null
-    answer.replaceChildren()
-    setBusy(false)
-  }
-
-  function setBusy(isBusy: boolean): void {
-    ask.disabled = isBusy
-    progress.hidden = !isBusy
-  }
-
+  const question = valveQuestion(workspace, {
+    label: 'Compare with measurements',
+    busy: 'Comparing with measurements',
+    ask: async (reference, signal) => rowsOf(await comparePhysiology(reference, signal)),
+    style: valveStyle.hearts,
+  })
   return h(
     'section',
     { class: parts.panel, 'aria-label': 'Comparison with measurements', 'data-part': 'hearts' },
@@ -71,9 +39,9 @@ export function heartsPanel(workspace: Workspace): HTMLElement {
       { class: parts.hint },
       'Compares loads, strains, rings, opening and clips of this valve with published measurements. The valve is closed and opened 17 times, which takes some seconds.',
     ),
-    ask,
-    progress,
-    answer,
+    question.button,
+    question.progress,
+    question.answer,
   )
 }
 

@@ -1,11 +1,11 @@
 // The leak on finer and finer meshes, until it converges: asked for by a button, because it takes seconds to a minute.
 import { proveLeak } from '../api/calls'
 import type { Closure } from '../api/types'
-import { button, h } from '../dom'
+import { h } from '../dom'
 import { joined, number, seconds } from '../format'
 import { term } from '../help/term'
-import { problemList } from '../problems'
-import { problemsOf, type Workspace } from '../workspace'
+import type { Workspace } from '../workspace'
+import { valveQuestion } from './valve_question'
 import parts from '../style/parts.module.css'
 
 type Convergence = NonNullable<Closure['convergence']>
@@ -17,49 +17,20 @@ const ENDS: Record<Convergence['stop'], string> = {
 }
 
 export function makeSure(workspace: Workspace): HTMLElement {
-  let asked: AbortController | null = null
-  const ask = button('Make sure', () => void prove())
-  const progress = h('progress', { 'aria-label': 'Closing on finer meshes', hidden: true })
-  const answer = h('p', { class: parts.hint, 'aria-live': 'polite' })
-  let shown: string | null = null
-  workspace.subscribe(() => shown !== null && workspace.valve?.reference !== shown && clear())
-
-  async function prove(): Promise<void> {
-    const { valve } = workspace
-    if (!valve) return
-    clear()
-    shown = valve.reference
-    const mine = new AbortController()
-    asked = mine
-    setBusy(true)
-    try {
-      const { convergence } = await proveLeak(valve.reference, mine.signal)
-      if (asked === mine && convergence) answer.replaceChildren(sureWords(convergence))
-    } catch (error) {
-      if (asked === mine) answer.replaceChildren(problemList(problemsOf(error)))
-    }
-    if (asked === mine) setBusy(false)
-  }
-
-  /// What is asked of another valve is not waited for.
-  function clear(): void {
-    asked?.abort()
-    asked = null
-    shown = null
-    answer.replaceChildren()
-    setBusy(false)
-  }
-
-  function setBusy(isBusy: boolean): void {
-    ask.disabled = isBusy
-    progress.hidden = !isBusy
-  }
-
+  const question = valveQuestion(workspace, {
+    label: 'Make sure',
+    busy: 'Closing on finer meshes',
+    ask: async (reference, signal) => {
+      const { convergence } = await proveLeak(reference, signal)
+      return convergence ? [sureWords(convergence)] : []
+    },
+    style: parts.hint,
+  })
   return h(
     'div',
     { 'data-part': 'make-sure' },
-    h('div', { class: parts.row }, ask, term('finer', 'on finer meshes'), progress),
-    answer,
+    h('div', { class: parts.row }, question.button, term('finer', 'on finer meshes'), question.progress),
+    question.answer,
   )
 }
 

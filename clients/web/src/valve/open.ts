@@ -71,8 +71,7 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
       if (found.length > 0) return show(found, text)
       const id = await storeValve(text)
       nameValve(id, chosen.name)
-      await open(id, chosen.name)
-      await opened.refresh()
+      await openStored(id, chosen.name)
     } catch (error) {
       show(problemsOf(error), text)
     }
@@ -87,11 +86,14 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
         : `The file cannot be opened: ${found.length} problems.`
   }
 
+  /// A valve that was stored just now.
+  async function openStored(id: string, name: string): Promise<void> {
+    await open(id, name)
+    await opened.refresh()
+  }
+
   const imports = HAS_SERVICE
-    ? importPanel(async (id, name) => {
-        await open(id, name)
-        await opened.refresh()
-      }, stage)
+    ? importPanel(openStored, stage)
     : { element: null, take: () => show([{ code: 'unsupported', path: '', message: NO_IMPORT }], '') }
   const opened = openedList(workspace, (id, name) => void open(id, name))
   const panel = h(
@@ -115,10 +117,7 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     said,
     problems,
     opened.element,
-    observedPanel(workspace, async (id, name) => {
-      await open(id, name)
-      await opened.refresh()
-    }),
+    observedPanel(workspace, openStored),
   )
   function dropOn(whole: HTMLElement): void {
     for (const [name, over] of [

@@ -6,9 +6,10 @@ import type { Information, Plan, Scene } from '../api/types'
 const REST_MS = 600
 const CLOSURES = 24 // a second of one core: a service lets these go first
 
+const known = new WeakMap<Scene, Information>() // in every view
+
 export class TissueError {
-  private scene: Scene | null = null // whose error is known or asked for
-  private found: Information | null = null
+  private scene: Scene | null = null // that was asked for last
   private timer = 0
   private abort = new AbortController()
 
@@ -19,25 +20,25 @@ export class TissueError {
     if (this.scene !== scene) {
       this.clear()
       this.scene = scene
-      if (reference !== undefined) this.timer = window.setTimeout(() => void this.ask(reference, plan), REST_MS)
+      if (reference !== undefined && !known.has(scene))
+        this.timer = window.setTimeout(() => void this.ask(scene, reference, plan), REST_MS)
     }
-    return this.found
+    return known.get(scene) ?? null
   }
 
   private clear(): void {
     clearTimeout(this.timer)
     this.abort.abort()
     this.abort = new AbortController()
-    this.found = this.scene = null
   }
 
   /// A valve that is too large for it keeps its numerical error.
-  private async ask(reference: string, plan: Plan | null): Promise<void> {
+  private async ask(scene: Scene, reference: string, plan: Plan | null): Promise<void> {
     const { signal } = this.abort
     const draws = plan ? CLOSURES / 2 : CLOSURES // with a plan the valve before it is closed, too
     const found = await valueInformation(reference, plan, draws, signal).catch(() => null)
     if (signal.aborted || !found) return
-    this.found = found
+    known.set(scene, found)
     this.onFound()
   }
 }
