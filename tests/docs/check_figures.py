@@ -130,7 +130,7 @@ def refined(rows):
     return lambda cells: dict(enumerate((known[(cells[0].split(",")[0],)][name] for name in names), 1))
 
 
-@repeats(ACCURACY, "| valve | leak as it is | mean | model ±", "figures/model.csv")
+@repeats(ACCURACY, "| valve | leak, nominal | mean | model ±", "figures/model.csv")
 def model_leaks(rows):
     def expected(cells):
         row = next(one for one in rows if one["valve"] == cells[0] and one.get("area", "leak") == "leak")
