@@ -25,7 +25,7 @@ struct UniquenessStudyOptions {
 /// One scene at one rigidity.
 struct UniquenessPoint {
   /// Where the scene comes from: "known" scenes have seed 5, by which the model was looked at while it
-  /// was made (docs/researcher/accuracy.md); "new" ones another; "anatomies" are no presets.
+  /// was made (docs/experiments.md); "new" ones another; "anatomies" are no presets.
   std::string kind;
   std::string valve;
   std::uint64_t seed = 0;
