@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "core/closure/crossing.h"
@@ -22,7 +23,11 @@ constexpr double kLeastMargin_mm = 0.04, kLargestMargin_mm = 0.5;
 // 0.98 are best at 650, 2,600 and 10,400 triangles; 0.94 at 10,400 takes six times as many steps.
 constexpr double kDampedTriangles = 650.0, kDampingPower = -0.4, kMostDamping = 0.2;
 
-double share_kept(const ClosureModel& model, double damping) {
+// The present stiffness changes slowly beside a step, and a factorisation costs as much as several.
+constexpr int kRefreshSteps = 20;
+
+double share_kept(const ClosureModel& model, const RelaxationSettings& settings, double damping) {
+  if (settings.preconditioned) return 1.0 - std::min(kMostDamping, damping);
   const auto faces = static_cast<double>(model.faces.rows());
   return 1.0 - std::min(kMostDamping, damping * std::pow(faces / kDampedTriangles, kDampingPower));
 }
@@ -56,6 +61,10 @@ MovingValve<R>::MovingValve(const ClosureModel& model, const RelaxationSettings&
       hinge_pulls_(layout_.laid.hinges.size() + 1),
       longest_move_mm_(settings.longest_move_mm) {
   if (settings.contact.edges) guard(model.edges);
+  if (settings.preconditioned) {
+    laplacian_ = std::make_unique<StiffnessLaplacian<R>>(layout_.laid);
+    sums_.resize(layout_.laid.blocks.size() * kLanes);
+  }
   for (Index i = 0; i < start.rows(); ++i) place(i, start.row(i));
 }
 
@@ -147,16 +156,58 @@ void MovingValve<R>::step(double fixed_move_mm) {
   input.corner_slots = layout_.laid.corner_slots.data();
   input.spring_slots = layout_.laid.spring_slots.data();
   input.block_count = static_cast<int>(layout_.laid.blocks.size());
-  input.keep = static_cast<R>(share_kept(model_, damping_));
+  input.keep = static_cast<R>(share_kept(model_, settings_, damping_));
   input.longest_move_mm = static_cast<R>(settings_.longest_move_mm);
   input.mass_share = static_cast<R>(settings_.mass_share);
   input.lookahead_mm = static_cast<R>(longest_move_mm_);
-  const kernels::StepSums sums = kernels_.advance(input);
+  const kernels::StepSums sums = laplacian_ ? move_together(input) : kernels_.advance(input);
   longest_move_mm_ = std::sqrt(sums.longest_move2_mm2);
   listed_share_ = std::sqrt(sums.listed_share2);
   used_share_ += std::sqrt(sums.step_share2);
   force2_n2_ = sums.force2_n2;
   x_.swap(next_);
+}
+
+/// kernels::advance, with the Laplacian's inverse in place of each node's own.
+template <class R>
+kernels::StepSums MovingValve<R>::move_together(kernels::StepInput<R>& input) {
+  const auto longest2 = input.longest_move_mm * input.longest_move_mm;
+  const auto per_mass = R(1) / input.mass_share;
+  input.sums = sums_.data();
+  input.mass_share = std::numeric_limits<R>::infinity();
+  kernels::StepSums sums = kernels_.advance(input);
+  if (steps_to_refresh_-- == 0) {
+    laplacian_->refresh(corners_, sums_);
+    steps_to_refresh_ = kRefreshSteps - 1;
+  }
+  laplacian_->solve(sums_);
+  R move2 = 0, step_share2 = 0, listed_share2 = 0;
+  for (std::size_t node = 0; node < sums_.size(); ++node) {
+    kernels::NodeBlock<R>& block = layout_.laid.blocks[node / kLanes];
+    const std::size_t lane = node % kLanes;
+    if (block.free.at[lane] == R(0)) continue;
+    R v[3], v2 = 0, moved2 = 0;
+    for (int k = 0; k < 3; ++k) {
+      v[k] = block.velocity[k].at[lane] + per_mass * sums_[node].at[k];
+      v2 += v[k] * v[k];
+    }
+    const R shorten = v2 > longest2 ? std::sqrt(longest2 / v2) : R(1);
+    for (int k = 0; k < 3; ++k) {
+      block.velocity[k].at[lane] = v[k] *= shorten;
+      next_[node].at[k] = x_[node].at[k] + v[k];
+      const R moved = next_[node].at[k] - listed_[node].at[k];
+      moved2 += moved * moved;
+    }
+    v2 = std::min(v2, longest2);
+    const R per_margin2 = R(1) / (listed_[node].at[3] * listed_[node].at[3]);
+    move2 = std::max(move2, v2);
+    step_share2 = std::max(step_share2, per_margin2 * v2);
+    listed_share2 = std::max(listed_share2, per_margin2 * moved2);
+  }
+  sums.longest_move2_mm2 = static_cast<double>(move2);
+  sums.step_share2 = static_cast<double>(step_share2);
+  sums.listed_share2 = static_cast<double>(listed_share2);
+  return sums;
 }
 
 template <class R>

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/closure/relaxation_layout.h"
 #include "core/closure/relaxation_settings.h"
+#include "core/closure/stiffness_laplacian.h"
 
 namespace coapt {
 
@@ -74,6 +76,7 @@ class MovingValve {
  private:
   void pull_chordae();
   void pull_faces();
+  kernels::StepSums move_together(kernels::StepInput<R>& input);
   Vec3 at(Index i) const;
   void place(Index i, const Vec3& p);
 
@@ -88,6 +91,9 @@ class MovingValve {
   std::vector<kernels::HingePulls<R>> hinge_pulls_;  // likewise
   std::vector<kernels::Quad<R>> listed_;  // where nodes were when pairs were listed, and margins
   std::optional<ContactPairs<R>> edges_;  // with edges
+  std::unique_ptr<StiffnessLaplacian<R>> laplacian_;  // or none
+  std::vector<kernels::Quad<R>> sums_;  // forces and stiffness of moving nodes, then their moves
+  int steps_to_refresh_ = 0;
   double travelled_ = 0.0;
   bool started_ = false;
   // Shares of the margins that nodes have used up since pairs were listed: as the crow flies, at

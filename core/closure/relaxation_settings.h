@@ -21,6 +21,9 @@ struct RelaxationSettings {
   /// A node's mass over the sum of its stiffness. The guaranteed bound is half of that sum; contact
   /// and damping take a little more. Less is a longer step, without guarantee.
   double mass_share = 0.55;
+  /// Moves by what balances the forces on the leaflets as a whole (stiffness_laplacian.h), not on each node alone. Damping
+  /// is then the same on every mesh.
+  bool preconditioned = false;
   ContactLaw contact;
   bool guards = true;              ///< see above; without, crossings are only reported
   int samples = 1;                 ///< end states recorded, five steps apart

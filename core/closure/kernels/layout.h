@@ -249,12 +249,13 @@ struct StepInput {
   const Quad<R>* corners = nullptr;  ///< of faces, see FaceInput
   const Quad<R>* listed = nullptr;   ///< where nodes were when pairs were listed, and their margins
   NodeBlock<R>* blocks = nullptr;
+  Quad<R>* sums = nullptr;  ///< null, or where all force on each moving node and its stiffness go
   const IndexLane* corner_slots = nullptr;
   const SpringSlot<R>* spring_slots = nullptr;
   int block_count = 0;
   R keep = 0;             ///< share of the velocity that is kept
   R longest_move_mm = 0;  ///< of any node
-  R mass_share = 0;       ///< mass = this x sum of stiffness
+  R mass_share = 0;       ///< mass = this x sum of stiffness; infinite: forces move nothing
   R lookahead_mm = 0;     ///< a spring this near to its knee counts as stiff
 };
 

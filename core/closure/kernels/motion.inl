@@ -110,6 +110,8 @@ StepSums advance(const StepInput<R>& in) {
     // Mass goes with stiffness. A node that becomes heavier keeps its momentum, not its speed: else
     // the knee of the springs would feed it energy.
     const Vec<R> held = largest(stiffness, least_stiffness);
+    if (in.sums != nullptr)
+      store_quads(Vec4x<R>{force.x, force.y, force.z, held}, in.sums + kLanes * b);
     const Vec<R> inverse = one / held;
     const Vec<R> keep = all(in.keep) * least(one, load(block.stiffness) * inverse);
     store(held, block.stiffness);
