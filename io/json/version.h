@@ -15,7 +15,7 @@ inline constexpr std::string_view kResearchNotice =
 inline constexpr int kClosureRevision = 10;
 /// Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), kRingShapes, the disturbance of an index, the
 /// neighbour that its closure starts from, what is measured of it.
-inline constexpr int kPlanRevision = 11;
+inline constexpr int kPlanRevision = 12;
 
 /// "0.2.0".
 std::string_view version();

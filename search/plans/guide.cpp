@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "search/plans/durability.h"
 #include "search/plans/objective.h"
 #include "search/plans/plan_order.h"
 
@@ -23,7 +24,11 @@ double least_guide(const OperationMerits& operation) {
 }
 
 double guide(const CostTerms& terms, double mild, const OperationMerits& operation) {
-  return price(terms, kGuideWeights) + beside_effort(operation) +
+  CostTerms counted = terms;  // what is enough by the rule is enough here
+  double& short_mm = counted[CostTerm::Durability];
+  short_mm =
+      std::max(0.0, short_mm - (kFurthestCourse_mm - OrderThresholds{}.enough_durability_mm));
+  return price(counted, kGuideWeights) + beside_effort(operation) +
          kUnlikely * std::max(0.0, kAcceptable - mild);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "core/closed/diagnosis.h"
 #include "search/plans/plan_opening.h"
@@ -34,10 +35,9 @@ std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<in
                             const OrderThresholds& thresholds) {
   double longest = -std::numeric_limits<double>::infinity();
   for (const int i : left) longest = std::fmax(longest, plans[i].durability_mm);
-  const auto lasts = [&](int i) {
-    return std::isnan(plans[i].durability_mm) ||
-           plans[i].durability_mm >= longest - thresholds.same_durability_mm;
-  };
+  const double long_mm =
+      std::min(longest - thresholds.same_durability_mm, thresholds.enough_durability_mm);
+  const auto lasts = [&](int i) { return !(plans[i].durability_mm < long_mm); };
   double least = std::numeric_limits<double>::infinity();
   for (const int i : left)
     if (lasts(i)) least = std::fmin(least, plans[i].gradient_mmhg);
@@ -57,9 +57,9 @@ std::vector<int> take_class(const std::vector<PlanMerits>& plans, std::vector<in
 std::vector<OrderThresholds> threshold_settings() {
   std::vector<OrderThresholds> settings;
   for (const double acceptable : {0.90, kAcceptable, 0.98})
-    for (const double durability_mm : {1.0, 2.0, 3.0})
+    for (const auto& [same_mm, enough_mm] : {std::pair{3.0, 5.0}, {2.0, 6.5}, {1.0, 8.0}})
       for (const double gradient_mmhg : {0.5, 1.0, 2.0})
-        settings.push_back({acceptable, durability_mm, gradient_mmhg});
+        settings.push_back({acceptable, same_mm, gradient_mmhg, enough_mm});
   return settings;
 }
 

@@ -75,10 +75,10 @@ TEST(PlanOrder, ATraceOfLeakDecidesNothingAndTissueIsKept) {
 
 TEST(PlanOrder, AFirstPlanThatHangsOnThresholdsIsFirstInSomeSettingsOnly) {
   const std::vector<PlanMerits> plans = {
-      with([](PlanMerits& plan) { plan.steps = 2; }),
-      with([](PlanMerits& plan) { plan.steps = 1, plan.durability_mm -= 1.5; })};
+      with([](PlanMerits& plan) { plan.steps = 2, plan.durability_mm = 6.0; }),
+      with([](PlanMerits& plan) { plan.steps = 1, plan.durability_mm = 4.5; })};
   EXPECT_EQ(indices(plans), (std::vector{1, 0}));
-  EXPECT_EQ(times_first(plans), (std::vector{9, 18})) << "within 1, 2 or 3 mm";
+  EXPECT_EQ(times_first(plans), (std::vector{9, 18})) << "within 3, 2 or 1 mm";
   EXPECT_EQ(times_first({good()}), (std::vector{27}));
   EXPECT_TRUE(times_first({}).empty());
 }
@@ -86,15 +86,25 @@ TEST(PlanOrder, AFirstPlanThatHangsOnThresholdsIsFirstInSomeSettingsOnly) {
 TEST(PlanOrder, WhatLastsShorterOrOpensLessIsOfAnotherClassHoweverSimple) {
   const PlanMerits simple = good();
   const std::vector<PlanMerits> plans = {
-      with([](PlanMerits& plan) { plan.durability_mm = 9.9; }),
-      with([](PlanMerits& plan) { plan.steps = 3, plan.gradient_mmhg = 4.0; }),
-      with([](PlanMerits& plan) { plan.gradient_mmhg = 4.5; }),
-      with([](PlanMerits& plan) { plan.steps = 2, plan.durability_mm = 10.1; })};
+      with([](PlanMerits& plan) { plan.durability_mm = 5.9; }), with([](PlanMerits& plan) {
+        plan.steps = 3, plan.durability_mm = 8.0, plan.gradient_mmhg = 4.0;
+      }),
+      with([](PlanMerits& plan) { plan.durability_mm = 8.0, plan.gradient_mmhg = 4.5; }),
+      with([](PlanMerits& plan) { plan.steps = 2, plan.durability_mm = 6.1; })};
   EXPECT_EQ(indices(plans), (std::vector{3, 2, 1, 0})) << "4.5 is within 1 mmHg of 4.0";
   EXPECT_EQ(classes(plans), (std::vector{1, 2, 2, 3}));
   EXPECT_EQ(classes({simple, with([](PlanMerits& plan) { plan.gradient_mmhg = 3.0; })}),
             (std::vector{1, 1}))
       << "what usual rings leave";
+}
+
+TEST(PlanOrder, WhatBearsTheDiseaseOnceMoreLastsLongEnough) {
+  const std::vector<PlanMerits> plans = {
+      with([](PlanMerits& plan) { plan.steps = 3; }),
+      with([](PlanMerits& plan) { plan.durability_mm = 6.4; }),
+      with([](PlanMerits& plan) { plan.steps = 2, plan.durability_mm = 6.6; })};
+  EXPECT_EQ(indices(plans), (std::vector{2, 0, 1}));
+  EXPECT_EQ(classes(plans), (std::vector{1, 1, 2}));
 }
 
 TEST(PlanOrder, WhatIsNotKnownDecidesNothing) {
