@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "core/repair/apply_plan.h"
@@ -79,7 +81,22 @@ RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules&
   return plan;
 }
 
-/// Without each of its sutures, and without both, then with smaller rings, too.
+/// With the catalogue's next ring shape, whose anteroposterior diameter is shorter, if rules leave it open.
+std::optional<RepairPlan> with_shorter_ring(RepairPlan plan, const SearchRules& rules) {
+  CatalogueRing* const ring = open_ring(plan, rules);
+  if (ring == nullptr) return std::nullopt;
+  const auto* const shape =
+      std::find_if(kRingShapes.begin(), kRingShapes.end(),
+                   [&](const RingShape& one) { return one.name == ring->shape; });
+  if (shape == kRingShapes.end() || std::next(shape) == kRingShapes.end() ||
+      is_forbidden(rules, "annuloplasty", std::string(std::next(shape)->name)))
+    return std::nullopt;
+  ring->shape = std::string(std::next(shape)->name);
+  return plan;
+}
+
+/// Without each of its sutures, if there are two then with a shorter ring and the trigone, too; and without both, then with smaller
+/// rings, too.
 std::vector<RepairPlan> with_fewer_sutures(const Valve& valve, const RepairPlan& plan,
                                            const SearchRules& rules) {
   std::vector<RepairPlan> versions;
@@ -94,7 +111,11 @@ std::vector<RepairPlan> with_fewer_sutures(const Valve& valve, const RepairPlan&
     RepairPlan without = plan;
     std::erase_if(without.steps, is_it);
     std::erase_if(without_all.steps, is_it);
-    if (!without.steps.empty()) versions.push_back(std::move(without));
+    if (without.steps.empty()) continue;
+    versions.push_back(without);
+    if (suture_of(without, Side::Anterolateral) || suture_of(without, Side::Posteromedial))
+      if (auto shorter = with_shorter_ring(std::move(without), rules))
+        versions.push_back(with_trigones(valve, std::move(*shorter), rules));
   }
   if (without_all.steps.empty() || without_all.steps.size() == plan.steps.size()) return versions;
   std::vector<RepairPlan> smaller = with_smaller_rings(valve, without_all, rules);

@@ -9,7 +9,8 @@
 
 namespace coapt {
 
-/// Those that are others than the plan, and possible, the simplest first: without a suture, or without any, there also with the next two
+/// Those that are others than the plan, and possible, the simplest first: without one of two sutures, there also with the next
+/// shorter ring and the other suture to its trigone; without any suture, there also with the next two
 /// smaller catalogue rings as far as practice undersizes; with sutures to the trigone in place of
 /// other anchors, which move the muscle as far, at most kUsualMovement_mm; with a catalogue ring of the true size in place of a smaller one; with both.
 /// What rules fix or forbid is left as it is.

@@ -38,12 +38,19 @@ TEST(SimplerPlans, SuturesAreLeftOutOneByOneAndTogether) {
   plan.steps.push_back(PapillaryApproximation{
       .side = Side::Anterolateral, .anchor = Anchor::IpsilateralTrigone, .suture_length_mm = 24.0});
   const auto simpler = simpler_plans(functional(), plan, {});
-  ASSERT_GE(simpler.size(), 5u);
+  const RepairStep shorter = Annuloplasty{CatalogueRing{"generic-etlogix-like", 30.0}};
+  ASSERT_GE(simpler.size(), 7u);
   EXPECT_EQ(plan_key(simpler[0]), plan_key({{plan.steps[0], plan.steps[1]}}));
-  EXPECT_EQ(plan_key(simpler[1]), plan_key({{plan.steps[0], plan.steps[2]}}));
-  EXPECT_EQ(plan_key(simpler[2]), plan_key({{plan.steps[0]}}));
-  EXPECT_EQ(plan_key(simpler[3]), plan_key({{ring(28.0)}}));
-  EXPECT_EQ(plan_key(simpler[4]), plan_key({{ring(26.0)}}));
+  EXPECT_EQ(plan_key({{simpler[1].steps[0]}}), plan_key({{shorter}}));
+  EXPECT_EQ(suture_of(simpler[1], Side::Posteromedial)->anchor, Anchor::IpsilateralTrigone);
+  EXPECT_EQ(plan_key(simpler[2]), plan_key({{plan.steps[0], plan.steps[2]}}));
+  EXPECT_EQ(plan_key(simpler[3]), plan_key({{shorter, plan.steps[2]}}));
+  EXPECT_EQ(plan_key(simpler[4]), plan_key({{plan.steps[0]}}));
+  EXPECT_EQ(plan_key(simpler[5]), plan_key({{ring(28.0)}}));
+  EXPECT_EQ(plan_key(simpler[6]), plan_key({{ring(26.0)}}));
+  SearchRules rules;
+  rules.forbidden = {"annuloplasty:generic-etlogix-like"};
+  EXPECT_EQ(plan_key(simpler_plans(functional(), plan, rules)[1]), plan_key(simpler[2]));
   const auto small = simpler_plans(functional(), {{ring(24.0), free_suture(24.0)}}, {});
   EXPECT_EQ(plan_key(small[0]), plan_key({{ring(24.0)}}));
   EXPECT_NE(suture_of(small[1], Side::Posteromedial), nullptr) << "no ring is smaller";
