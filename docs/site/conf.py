@@ -21,7 +21,6 @@ smartquotes = False  # options begin with two hyphens
 suppress_warnings = ["myst.header"]  # a page may go from its title to a heading of the third level
 
 myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
-math_number_all = False
 html_math_renderer = "mathml"
 myst_heading_anchors = 4
 

@@ -30,6 +30,13 @@ def has_range(row):
     return row["low"] is not None or row["high"] is not None
 
 
+def range_of(row):
+    low, high = row["low"], row["high"]
+    if low is None or high is None:
+        return f"{number(low)} or more" if low is not None else f"{number(high)} at most" if high is not None else ""
+    return f"{number(low)} to {number(high)}"
+
+
 def met_of(preset):
     """Ranges that are met, of those that are published for its kind of valve and have a value."""
     judged = [row for row in preset["physiology"] if has_range(row)]
@@ -65,15 +72,11 @@ def preset_page(preset):
         table(["", ""], [[what, value] for what, value in dimensions_of(preset).items()]),
         "\n".join(f"- {escaped(line)}" for line in preset["valve"]["provenance"]),
     ]
-    if (file := ROOT / f"examples/calibration/{name}.json").exists():
-        parts.append(
-            f"Its dimensions and disease as a file, for `coapt valve make --dimensions`:\n\n```json\n{file.read_text().strip()}\n```"
-        )
     rows = [
         [
             f"{escaped(row['what'])}, {row['unit']}" if row["unit"] else escaped(row["what"]),
             number(row["value"]),
-            f"{number(row['low'])} to {number(row['high'])}" if has_range(row) else "",
+            range_of(row),
             f"**{row['verdict']}**" if row["verdict"] in ("below", "above", "unknown") else row["verdict"],
             escaped(row["source"] or ""),
         ]
@@ -81,6 +84,10 @@ def preset_page(preset):
     ]
     parts += ["## Beside hearts", f"`coapt study physiology {name}`: {met_of(preset)} published ranges are met."]
     parts.append(table(["quantity", "value", "range", "verdict", "source"], rows))
+    if (file := ROOT / f"examples/calibration/{name}.json").exists():
+        parts.append(
+            f"## As a file\n\nIts dimensions and disease, for `coapt valve make --dimensions`:\n\n```json\n{file.read_text().strip()}\n```"
+        )
     return "\n\n".join(parts) + "\n"
 
 
