@@ -276,6 +276,7 @@ docs-check:  ## fail if a link, file or make target in the documents is dead, a 
 	@tests/docs/check_versions.py
 	@tests/docs/test_figures.py --quiet
 	@tests/docs/test_site.py --quiet
+	@tests/docs/test_tutorials.py --quiet
 
 commits-check:  ## fail if a commit's message is not as .gitmessage says
 	@cmake/check_commits.py
