@@ -21,7 +21,7 @@ ENGINE := build/wasm/bin/coapt-engine.wasm
 PLANNER := build/wasm/bin/coapt-planner.wasm
 ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test gallery figures-check fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -244,14 +244,27 @@ docs: programs  ## the documentation as one site, build/docs/index.html: guides,
 	doxygen docs/site/Doxyfile
 	PYTHONPATH=clients/python:build/release/python docs/site/run_notebooks.py build/docs-parts/notebooks
 	examples/gallery/run.py --changed build/docs-parts/gallery
-	docs/site/gather.py build/docs-source build/docs-parts/headers build/docs-parts/openapi.json build/docs-parts/notebooks build/docs-parts/gallery
+	docs/site/run_presets.py $(BIN)/coapt build/docs-parts/presets
+	docs/site/gather.py build/docs-source build/docs-parts/headers build/docs-parts/openapi.json build/docs-parts/notebooks build/docs-parts/gallery build/docs-parts/presets
 	/usr/bin/python3 -m sphinx -q -W --keep-going -j auto -c docs/site -d build/docs-parts/read build/docs-source build/docs
 	docs/site/check_site.py build/docs
+
+paper:  ## the summary of method, validation and limits as PDF: build/paper/coapt.pdf
+	@cmake/install_packages.sh paper
+	@mkdir -p build/paper
+	pandoc docs/paper/coapt.md --standalone --mathml --shift-heading-level-by=-1 --self-contained --css docs/paper/paper.css \
+	  --resource-path docs/paper -o build/paper/coapt.html
+	chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --print-to-pdf=build/paper/coapt.pdf build/paper/coapt.html
 
 gallery: programs  ## run all scripts of examples/gallery; their pictures lie in build/docs-parts/gallery
 	@cmake/install_packages.sh test site
 	cmake --build --preset release --target coapt_python libcoapt
 	examples/gallery/run.py build/docs-parts/gallery
+
+tutorials-check: programs  ## fail if a command of a tutorial prints anything but what the tutorial shows
+	@cmake/install_packages.sh test
+	cmake --build --preset release --target coapt_python
+	tests/docs/check_tutorials.py $(BIN)
 
 figures-check: programs  ## fail as docs-check does, or if today's program makes another table of closures or openings than docs/figures has
 	@tests/docs/check_documents.py
@@ -263,6 +276,7 @@ docs-check:  ## fail if a link, file or make target in the documents is dead, a 
 	@tests/docs/check_versions.py
 	@tests/docs/test_figures.py --quiet
 	@tests/docs/test_site.py --quiet
+	@tests/docs/test_tutorials.py --quiet
 
 commits-check:  ## fail if a commit's message is not as .gitmessage says
 	@cmake/check_commits.py

@@ -109,6 +109,7 @@ NIGHTLY = (
     Phase("gallery", "gallery"),
     Phase("documents", "docs"),
     Phase("figures", "figures-check"),
+    Phase("tutorials", "tutorials-check"),
     Phase("wheel", "wheel"),
     Phase("tarball", "tarball"),
     Phase("archives", "archives-test"),

@@ -181,8 +181,8 @@ int serve(const ServerOptions& options, const Access& access, const ReaderProces
 }
 
 int run(int argc, char** argv) {
-  CommandLine line("coapt-server", "Closes valves and searches repair plans over HTTP.",
-                   about("coapt-server"));
+  CommandLine line("coapt-server", "Closes valves and searches repair plans over HTTP.");
+  line.add_json_of_version();
   Command app = line.program();
   ServerOptions options;
   add_options(app, options);

@@ -142,8 +142,7 @@ void add_options(Command app, LiveArguments& arguments) {
 }
 
 int run(int argc, char** argv) {
-  CommandLine line("coapt-live", "Renders a valve on a haptic device at 1,000 Hz.",
-                   about("coapt-live"));
+  CommandLine line("coapt-live", "Renders a valve on a haptic device at 1,000 Hz.");
   Command app = line.program();
   LiveArguments arguments;
   add_options(app, arguments);

@@ -1,9 +1,12 @@
 """The documentation site. Its sources are gathered into build/docs-source (gather.py); make docs does it all."""
 
+import functools
 import pathlib
 import re
+import subprocess
 import sys
 
+from docutils import nodes
 from pygments.lexers.special import TextLexer
 
 sys.path[:0] = [str(pathlib.Path(__file__).parent), str(pathlib.Path(__file__).parents[2] / "clients/python")]
@@ -17,7 +20,8 @@ highlight_language = "text"
 smartquotes = False  # options begin with two hyphens
 suppress_warnings = ["myst.header"]  # a page may go from its title to a heading of the third level
 
-myst_enable_extensions = ["colon_fence", "deflist"]
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+html_math_renderer = "mathml"
 myst_heading_anchors = 4
 
 html_theme = "furo"
@@ -63,7 +67,28 @@ def signature_of(app, what, name, thing, options, signature, returned):
     return None
 
 
+@functools.cache
+def mathml(formula):
+    """As browsers draw it by themselves; `formula` with its dollars."""
+    command = ["pandoc", "--from", "markdown", "--to", "html", "--mathml"]
+    made = subprocess.run(command, input=formula, capture_output=True, text=True, check=True)
+    if made.stderr or "<math" not in made.stdout:
+        raise ValueError(f"{formula}: no formula: {made.stderr}")
+    return re.search(r"<math.*</math>", made.stdout, re.DOTALL)[0]
+
+
+def visit_formula(translator, node):
+    translator.body.append(mathml(f"${node.astext()}$"))
+    raise nodes.SkipNode
+
+
+def visit_formula_block(translator, node):
+    translator.body.append(f'<div class="math">{mathml(f"$${node.astext()}$$")}</div>')
+    raise nodes.SkipNode
+
+
 def setup(app):
+    app.add_html_math_renderer("mathml", (visit_formula, None), (visit_formula_block, None))
     for name in ("arrows", "libraries"):  # lists of ARCHITECTURE.md that make includes-check reads
         app.add_lexer(name, TextLexer)
     app.connect("autodoc-process-signature", signature_of)

@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 """Gathers the sources of the documentation site: the repository's Markdown, and pages made of headers, manual pages, the
-OpenAPI document, notebooks and the gallery.
+OpenAPI document, notebooks, the gallery and the presets.
 
-Usage: docs/site/gather.py TARGET XML OPENAPI NOTEBOOKS GALLERY
+Usage: docs/site/gather.py TARGET XML OPENAPI NOTEBOOKS GALLERY PRESETS
 
 TARGET    folder of the sources, written
 XML       Doxygen's, of the headers of core and search
 OPENAPI   the document that stands alone
 NOTEBOOKS folder of the notebooks that were run (run_notebooks.py)
 GALLERY   folder of what its scripts drew and printed (examples/gallery/run.py)
+PRESETS   folder of what coapt says of its presets (docs/site/run_presets.py)
 """
 
 import json
@@ -21,6 +22,7 @@ from header_pages import header_pages
 from manual_pages import manual_page
 from notebook_pages import notebook_page
 from pages import ROOT, Gathering, place, relative
+from preset_pages import preset_pages
 from rest_pages import rest_pages
 
 SITE = pathlib.Path(__file__).parent
@@ -33,8 +35,8 @@ def readers():
     """Caption and documents of each table of docs/README.md."""
     text = (ROOT / "docs/README.md").read_text(encoding="utf-8")
     for heading, table in re.findall(r"^## (.+?)$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL):
-        linked = re.findall(r"^\| \[[^\]]+\]\(([^)#]+)\)", table, re.MULTILINE)
-        yield heading, [(ROOT / "docs" / path).resolve().relative_to(ROOT).as_posix() for path in linked]
+        if linked := re.findall(r"^\| \[[^\]]+\]\(([^)#]+)\)", table, re.MULTILINE):
+            yield heading, [(ROOT / "docs" / path).resolve().relative_to(ROOT).as_posix() for path in linked]
 
 
 def contents(caption, pages):
@@ -44,14 +46,12 @@ def contents(caption, pages):
 
 def every_page(listed):
     """The contents by reader, for the front page."""
-    readings = [(caption, [place(path) for path in paths]) for caption, paths in listed]
-    project = [page for _, pages in readings for page in pages if page.startswith("project/")]
-    parts = [("coapt", ["overview.md", "documents.md"])]
-    parts += [(caption, [page for page in pages if page not in project]) for caption, pages in readings]
+    *readings, project = [(caption, [place(path) for path in paths]) for caption, paths in listed]
+    parts = [("coapt", ["overview.md", "documents.md"]), *readings]
     parts += [("Gallery", ["gallery/index"])]
     parts += [("Notebooks", [f"notebooks/{name}" for name in ("index", *NOTEBOOKS)])]
-    parts += [("Reference", [f"reference/{name}/index" for name in ("python", "commands", "rest", "cpp")])]
-    parts += [("Project", [*project, "project/changelog.md"])]
+    parts += [("Reference", [f"reference/{name}/index" for name in ("presets", "python", "commands", "rest", "cpp")])]
+    parts += [project]
     seen, text = set(), ""
     for caption, pages in parts:
         text += "\n" + contents(caption, [page for page in pages if page not in seen])
@@ -67,7 +67,7 @@ def listing(title, words, pages):
 
 
 def main():
-    target, xml, openapi, notebooks, gallery = sys.argv[1:]
+    target, xml, openapi, notebooks, gallery, presets = sys.argv[1:]
     gathering, listed = Gathering(target), list(readers())
     for page, more in (("index", every_page(listed)), ("notebooks", "")):
         path = f"docs/site/{page}.md"
@@ -98,6 +98,8 @@ def main():
         gathering.write(here, page.replace("\n\n", f"\n\n[The notebook]({relative(source, here)})\n\n", 1))
     for name, content in gallery_pages(gallery).items():
         gathering.write(f"gallery/{name}", content)
+    for name, content in preset_pages(presets).items():
+        gathering.write(f"reference/presets/{name}", content)
     gathering.finish()
 
 

@@ -19,12 +19,16 @@ _PLACES = {
     "ARCHITECTURE.md": "project/architecture.md",
     "CHANGELOG.md": "project/changelog.md",
     "CONTRIBUTING.md": "project/contributing.md",
+    "SECURITY.md": "project/security.md",
+    "SUPPORT.md": "project/support.md",
+    "docs/migration.md": "project/migration.md",
     "docs/site/index.md": "index.md",
     "docs/site/notebooks.md": "notebooks/index.md",
     "docs/man": "reference/commands/index.md",
     "clients/python/notebooks": "notebooks/index.md",
     "examples/gallery": "gallery/index.md",
     "core": "reference/cpp/index.md",
+    "core/presets": "reference/presets/index.md",
     "server/openapi.json": "reference/rest/index.md",
 }
 _KINDS = (

@@ -9,6 +9,8 @@
 
 #include "core/valve/nearest_name.h"
 #include "io/command_line/exit_code.h"
+#include "io/json/build.h"
+#include "io/json/version.h"
 
 namespace coapt {
 namespace {
@@ -200,13 +202,20 @@ void Command::refuse_group(const std::string& name, const std::string& heading) 
       throw CLI::ExcludesError(name, option->get_name());
 }
 
-CommandLine::CommandLine(const std::string& program, const std::string& what,
-                         const std::string& version)
+CommandLine::CommandLine(const std::string& program, const std::string& what)
     : app_(std::make_unique<CLI::App>(what, program)) {
-  app_->set_version_flag("--version", version);
+  app_->set_version_flag("--version", [program, app = app_.get()] {
+    const CLI::Option* json = app->get_option_no_throw("--json");
+    return json != nullptr && json->count() > 0 ? build_json(program).dump(2) : about(program);
+  });
 }
 
 CommandLine::~CommandLine() = default;
+
+void CommandLine::add_json_of_version() {
+  const std::string help = "Print JSON";
+  app_->add_flag("--json", help)->needs(app_->get_option("--version"));
+}
 
 Command CommandLine::program() { return Command(*app_); }
 

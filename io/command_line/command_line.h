@@ -107,12 +107,15 @@ Option Command::add_choice(const std::string& names, T& value,
 /// Owns a program's commands and reads the arguments of main().
 class CommandLine {
  public:
-  CommandLine(const std::string& program, const std::string& what, const std::string& version);
+  /// With --version, which prints about(), or build_json() where the program's --json is given, too.
+  CommandLine(const std::string& program, const std::string& what);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
   Command program();
+  /// For programs that have no --json of their own.
+  void add_json_of_version();
   /// Every command's help ends in this, those added so far.
   void end_helps_with(const std::string& notice);
   std::string help() const;

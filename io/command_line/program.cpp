@@ -15,7 +15,8 @@ namespace {
 
 int run(const Program& program, int argc, char** argv) {
   const std::string name = program.name;
-  CommandLine line(name, program.description, about(name));
+  CommandLine line(name, program.description);
+  line.add_json_of_version();
   Command all = line.program();
   all.require_command();
   int status = exit_code::kOk;

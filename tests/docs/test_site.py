@@ -16,6 +16,7 @@ import gallery_pages  # noqa: E402
 from manual_pages import manual_page  # noqa: E402
 from notebook_pages import notebook_page  # noqa: E402
 from pages import Gathering, anchor, place  # noqa: E402
+from preset_pages import preset_pages  # noqa: E402
 from rest_pages import rest_pages  # noqa: E402
 
 LINK = re.compile(r"\]\(([^()\s#]+\.md)#?([^()\s]*)\)")
@@ -153,6 +154,45 @@ class GalleryPages(unittest.TestCase):
         self.assertIn("```text\nleak 1 mm²\n```", page)
         self.assertIn("[Compare shapes](leak/compare_shapes.md)", pages["index.md"])
         self.assertEqual(pages["leak/compare_shapes.svg"], b"<svg/>")
+
+
+class PresetPages(unittest.TestCase):
+    def test_a_page_has_dimensions_and_every_row_of_physiology(self):
+        row = {"what": "Opening", "unit": "mm2", "source": "Kubota 2010", "value": 520.6, "low": 400.0, "high": 600.0}
+        unknown = {"what": "Ratio", "unit": "", "source": None, "value": None, "low": None, "high": None}
+        preset = {
+            "name": "human-normal",
+            "title": "Normal",
+            "about": "A healthy valve.",
+            "closure": {"leak": {"area_mm2": 0.09, "error_mm2": None}, "tenting_height_mm": 9.23},
+            "valve": {
+                "saddle_to_mid_posterior_mm": 26.14,
+                "commissures_mm": 31.84,
+                "leaflet_area_mm2": 1392.02,
+                "chordae": {"basal": 4, "marginal": 10},
+                "ruptured_chordae": 0,
+                "pressure_kpa": 16.0,
+                "triangles": 648,
+                "provenance": ["parametric valve"],
+            },
+            "physiology": [row | {"verdict": "met"}, row | {"verdict": "above"}, unknown | {"verdict": "unknown"}],
+        }
+        with tempfile.TemporaryDirectory() as folder:
+            made = pathlib.Path(folder)
+            (made / "presets.json").write_text('["human-normal"]')
+            (made / "human-normal.json").write_text(json.dumps(preset))
+            (made / "human-normal.png").write_bytes(b"\x89PNG")
+            pages = preset_pages(folder)
+        listed = "| [human-normal](human-normal.md) | Normal | 0.1 | 26.1 x 31.8 | 1392 | 1 of 2 |"
+        self.assertIn(listed, pages["index.md"])
+        for line in (
+            "| Chordae | 4 basal, 10 marginal; 0 ruptured |",
+            "| Opening, mm2 | 521 | 400 to 600 | **above** | Kubota 2010 |",
+            "| Ratio |  |  | **unknown** |  |",
+            "for `coapt valve make --dimensions`",
+        ):
+            self.assertIn(line, pages["human-normal.md"])
+        self.assertEqual(pages["human-normal.png"], b"\x89PNG")
 
 
 if __name__ == "__main__":

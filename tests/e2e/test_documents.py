@@ -64,11 +64,13 @@ GIVEN_FILES = {
 }
 
 
-def command_lines():
-    """Document, program and words of each."""
+def command_lines(*more):
+    """Document, program and words of each; of tutorials (`console`), which make tutorials-check follows, on request."""
     for document in DOCUMENTS:
         for language, block in FENCE.findall(document.read_text(encoding="utf-8")):
-            for line in block.splitlines() if language in ("", "sh", "bash") else ():
+            for line in block.splitlines() if language in ("", "sh", "bash", *more) else ():
+                if language == "console" and not line.startswith("$ "):
+                    continue
                 if found := LINE.match(line):
                     yield document.relative_to(SOURCE), found[1], found[2].split(" # ")[0].split("  #")[0].rstrip(" &")
 
@@ -83,7 +85,7 @@ class Documents(ProgramTest):
                     known[" ".join([program, *words[1:]])] = flags(text)
                 known.setdefault(program, set()).update(flags(help_of(binary)))
         wrong, seen = [], 0
-        for document, program, line in command_lines():
+        for document, program, line in command_lines("console"):
             names = [name for name in known if f"{program} {line} ".startswith(f"{name} ")]
             if program not in known or "|" in line.split(" ")[-1] or re.search(r"[a-z]\|[a-z]", line):
                 continue

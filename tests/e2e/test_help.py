@@ -1,5 +1,7 @@
 """What help, man pages and completion say, and that they leave nothing out."""
 
+import json
+import pathlib
 import re
 import subprocess
 import unittest
@@ -34,6 +36,20 @@ class Help(unittest.TestCase):
 
     def test_the_version_says_what_coapt_is_not(self):
         self.assertRegex(coapt("--version").stdout, about("coapt"))
+
+    def test_the_version_as_json_says_what_a_closure_can_be_repeated_with(self):
+        for program in (COAPT, SERVER):
+            run = subprocess.run([program, "--version", "--json"], capture_output=True, text=True)
+            build, name = json.loads(run.stdout), pathlib.Path(program).name
+            self.assertEqual((run.returncode, build["program"], build["notice"]), (OK, name, NOTICE))
+            told = "{program} {version}\nrevision {revision[git]}, closures {revision[closures]}, plans {revision[plans]}\n"
+            plain = subprocess.run([program, "--version"], capture_output=True, text=True).stdout
+            self.assertTrue(plain.startswith(told.format(**build)), plain)
+            self.assertIn(build["instruction_set"], ("portable", "baseline", "avx2", "avx512"))
+            self.assertRegex(build["compiler"], r"^(g|clang)\+\+ \d+\.")
+            alone = subprocess.run([program, "--json"], capture_output=True, text=True)
+            self.assertEqual((alone.returncode, alone.stdout), (BAD_INPUT, ""))
+            self.assertIn("--version", alone.stderr)
 
     def test_a_server_with_bad_flags_does_not_start(self):
         run = subprocess.run([SERVER, "--port", "x"], capture_output=True, text=True)
