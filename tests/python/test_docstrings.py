@@ -59,11 +59,11 @@ class Docstrings(ProgramTest):
 
 
 def is_silent(kind, name):
-    """Functions and properties of the package's own; what documents are made of and into speaks for itself."""
+    """Functions and properties of the package's own; its documents speak for themselves."""
     value = inspect.getattr_static(kind, name)
     function = getattr(value, "fget", None) or getattr(value, "__func__", value)
-    ours = getattr(inspect.unwrap(function), "__module__", "").startswith("coapt") if callable(function) else False
     known = name.startswith("_") or name in ("to_json", "from_json", "from_ply")
+    ours = inspect.isfunction(function) and function.__module__.startswith("coapt")
     return ours and not known and ">>> " not in (function.__doc__ or "")
 
 
