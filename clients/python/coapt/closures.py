@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 Status = Literal["converged", "step_limit", "diverged"]
 """How a closure ended: in equilibrium, before equilibrium, or unstable without a shape."""
 
+_BARE = "a closure that is read from a document, or refined by a service, has figures alone"
+
 Document = Mapping[str, Any]
 
 
@@ -188,10 +190,10 @@ class Closure(tables.Short):
         >>> closure.leaflets().vertices_mm.shape
         (378, 3)
 
-        :raises CoaptError: the closure came from a document alone
+        :raises CoaptError: the closure was read from a document, or refined by a service
         """
         if self._leaflets is None:
-            raise CoaptError("only closures of close(), close_many() and map() have leaflets")
+            raise CoaptError(_BARE)
         return self._leaflets()
 
     @property
@@ -203,10 +205,10 @@ class Closure(tables.Short):
         return self.leaflets().vertices_mm
 
     def _fields(self) -> Fields:
-        """:raises CoaptError: it came from a document alone, or diverged"""
+        """:raises CoaptError: it has none, or diverged"""
         fields = getattr(self._leaflets, "fields", None)
         if fields is None:
-            raise CoaptError("only closures of close(), close_many() and map() have strain, contact and tension")
+            raise CoaptError(_BARE)
         told: Fields = fields()
         return told
 
