@@ -48,6 +48,7 @@ def stages(units):
         "tests/python",
         "tests/farm",
         "tests/kept",
+        "tests/oracles",
         "tests/packages",
         "tests/slicer",
         "clients/python",
@@ -133,7 +134,7 @@ def units_of(files, rooms):
     if files is None or any(name.startswith((*BUILD, "tests/scenes")) for name in files):
         return "all"
     folders = {str(at.parent.relative_to("tests")) for at in pathlib.Path("tests").rglob("CMakeLists.txt")}
-    folders -= {".", "lab", "fuzz", "scenes", "e2e", "python", "slicer", "packages"}
+    folders -= {".", "lab", "fuzz", "scenes", "e2e", "oracles", "python", "slicer", "packages"}
     changed = {folder for folder in folders for name in files if name.startswith(f"tests/{folder}/")}
     of_rooms = {folder for folder in folders if any(f"{room}/".startswith(f"{folder}/") for room in rooms)}
     return " ".join(sorted(changed | of_rooms)) or "none"

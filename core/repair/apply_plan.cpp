@@ -197,12 +197,16 @@ bool needs_coordinates(const RepairPlan& plan) {
 }  // namespace
 
 Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
+  // Leaflet coordinates belong to the anatomy: of the valve before its repair.
+  return apply_plan(valve, plan,
+                    needs_coordinates(plan) ? leaflet_coordinates(valve) : LeafletCoordinates{});
+}
+
+Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
+                           const LeafletCoordinates& coordinates) {
   Valve repaired = valve;
   if (!plan.steps.empty()) repaired.observed.clear();  // of the valve before its repair
   ProblemList problems;
-  // Leaflet coordinates belong to the anatomy: of the valve before its repair.
-  const LeafletCoordinates coordinates =
-      needs_coordinates(plan) ? leaflet_coordinates(valve) : LeafletCoordinates{};
   resect(plan, coordinates, repaired, problems);
   place_ring(plan, repaired, problems);
   if (problems.empty()) draw_annulus_in(plan, repaired);
@@ -214,7 +218,7 @@ Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan) {
   chordae.tie_edges();
   if (!problems.empty()) return std::move(problems).take();
   if (Errors errors = check_result(repaired, plan); !errors.empty()) return errors;
-  std::vector<std::string> lines = describe(valve, plan);
+  std::vector<std::string> lines = describe(valve, plan, &coordinates);
   std::sort(lines.begin(), lines.end());
   for (const std::string& line : lines) repaired.provenance.push_back("repaired: " + line);
   return repaired;

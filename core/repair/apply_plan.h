@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/repair/plan.h"
+#include "core/valve/leaflet_coordinates.h"
 
 namespace coapt {
 
@@ -14,5 +15,8 @@ namespace coapt {
 /// two rings, ...) or else the steps that leave a valve that validate() refuses.
 /// @pre the valve is valid.
 Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan);
+/// The same with leaflet_coordinates(valve) at hand, which are most of the time of a plan with neochordae.
+Expected<Valve> apply_plan(const Valve& valve, const RepairPlan& plan,
+                           const LeafletCoordinates& coordinates);
 
 }  // namespace coapt

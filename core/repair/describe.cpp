@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
@@ -29,22 +30,35 @@ std::string words(Segment segment) {
   return "";
 }
 
-std::string place(const Valve& valve, const LeafletPoint& point) {
-  const Insertion insertion = locate(valve, leaflet_coordinates(valve), point);
-  const std::string segment = words(valve.segments[insertion.face]);
-  if (point.height >= kFreeEdge) return "the free edge of " + segment;
-  return segment + " at " + std::to_string(static_cast<int>(100.0 * point.height + 0.5)) +
-         " % of its height";
-}
+/// What steps are described by. Leaflet coordinates, if they are not at hand, are made once, and only for steps that need them.
+class Anatomy {
+ public:
+  Anatomy(const Valve& of, const LeafletCoordinates* coordinates)
+      : valve(of), coordinates_(coordinates) {}
 
-std::string words(const Valve& valve, const Annuloplasty& step) {
+  std::string place(const LeafletPoint& point) {
+    if (coordinates_ == nullptr) coordinates_ = &own_.emplace(leaflet_coordinates(valve));
+    const std::string segment = words(valve.segments[locate(valve, *coordinates_, point).face]);
+    if (point.height >= kFreeEdge) return "the free edge of " + segment;
+    return segment + " at " + std::to_string(static_cast<int>(100.0 * point.height + 0.5)) +
+           " % of its height";
+  }
+
+  const Valve& valve;
+
+ private:
+  const LeafletCoordinates* coordinates_;
+  std::optional<LeafletCoordinates> own_;
+};
+
+std::string words(Anatomy& anatomy, const Annuloplasty& step) {
   if (const auto* ring = std::get_if<CatalogueRing>(&step.ring))
     return "annuloplasty: " + ring->shape + " ring, size " + shown(ring->size_mm) + " mm";
   if (const auto* ring = std::get_if<DesignedRing>(&step.ring))
     return "annuloplasty: designed ring " + ring->shape.name + ", size " + shown(ring->size_mm) +
            " mm";
   const int below = std::get<OwnRing>(step.ring).sizes_below;
-  const double transverse = transverse_diameter_mm(valve);
+  const double transverse = transverse_diameter_mm(anatomy.valve);
   if (below == 0)
     return "annuloplasty: ring in the annulus's own shape and size (transverse " +
            with_decimals(transverse, 1) + " mm)";
@@ -53,23 +67,21 @@ std::string words(const Valve& valve, const Annuloplasty& step) {
          " to " + with_decimals(transverse - kRingSizeStep_mm * below, 1) + " mm)";
 }
 
-std::string words(const Valve& valve, const Neochorda& step) {
+std::string words(Anatomy& anatomy, const Neochorda& step) {
   return "neochorda " + shown(step.length_mm) + " mm from " + step.head + " to " +
-         place(valve, step.insertion);
+         anatomy.place(step.insertion);
 }
 
-std::string words(const Valve&, const ChordalLengthChange& step) {
+std::string words(Anatomy&, const ChordalLengthChange& step) {
   const bool shorter = step.change_mm < 0.0;
   return std::string(shorter ? "shorten" : "lengthen") + " chorda " + step.chorda + " by " +
          shown(shorter ? -step.change_mm : step.change_mm) + " mm";
 }
 
-std::string words(const Valve&, const ChordalExcision& step) {
-  return "excise chorda " + step.chorda;
-}
+std::string words(Anatomy&, const ChordalExcision& step) { return "excise chorda " + step.chorda; }
 
-std::string words(const Valve& valve, const ChordalTransfer& step) {
-  return "transfer chorda " + step.chorda + " to " + place(valve, step.insertion);
+std::string words(Anatomy& anatomy, const ChordalTransfer& step) {
+  return "transfer chorda " + step.chorda + " to " + anatomy.place(step.insertion);
 }
 
 /// "the annulus, 30 % of the way from the anterolateral commissure to mid-posterior".
@@ -86,7 +98,7 @@ std::string annulus_place(double around) {
          " to " + kLandmarks[to];
 }
 
-std::string words(const Valve&, const PapillaryApproximation& step) {
+std::string words(Anatomy&, const PapillaryApproximation& step) {
   std::string anchor;
   switch (step.anchor) {
     case Anchor::IpsilateralTrigone:
@@ -103,8 +115,8 @@ std::string words(const Valve&, const PapillaryApproximation& step) {
          ", suture " + shown(step.suture_length_mm) + " mm";
 }
 
-std::string words(const Valve& valve, const LeafletResection& step) {
-  const std::string middle = place(valve, {step.leaflet, step.along, 1.0});
+std::string words(Anatomy& anatomy, const LeafletResection& step) {
+  const std::string middle = anatomy.place({step.leaflet, step.along, 1.0});
   const std::string cut = std::string(to_string(step.shape)) + " resection at " + middle + ", " +
                           shown(step.width_mm) + " mm wide";
   if (step.shape == ResectionShape::Triangular)
@@ -113,11 +125,11 @@ std::string words(const Valve& valve, const LeafletResection& step) {
   return cut + (step.sliding ? ", with sliding plasty" : ", with plication of the annulus");
 }
 
-std::string words(const Valve& valve, const EdgeToEdge& step) {
+std::string words(Anatomy& anatomy, const EdgeToEdge& step) {
   const std::string tied = std::string("edge-to-edge ") + to_string(step.device) + ", " +
                            shown(step.width_mm) + " mm wide, " +
-                           place(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
-                           place(valve, {Leaflet::Posterior, step.along, 1.0});
+                           anatomy.place({Leaflet::Anterior, step.along, 1.0}) + " to " +
+                           anatomy.place({Leaflet::Posterior, step.along, 1.0});
   if (step.device == EdgeDevice::Stitch) return tied;
   return tied + ", " + shown(step.grasp_mm) + " mm of each leaflet grasped, annulus reduced by " +
          shown(step.annulus_drawn_in_percent) + " %";
@@ -125,10 +137,12 @@ std::string words(const Valve& valve, const EdgeToEdge& step) {
 
 }  // namespace
 
-std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan) {
+std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan,
+                                  const LeafletCoordinates* coordinates) {
+  Anatomy anatomy(valve, coordinates);
   std::vector<std::string> lines;
   for (const RepairStep& step : plan.steps)
-    lines.push_back(std::visit([&valve](const auto& s) { return words(valve, s); }, step));
+    lines.push_back(std::visit([&anatomy](const auto& s) { return words(anatomy, s); }, step));
   return lines;
 }
 

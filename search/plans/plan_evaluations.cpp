@@ -67,12 +67,13 @@ PlanEvaluations::PlanEvaluations(const Evaluator& evaluate, const Valve& valve,
                                  PlanEvaluationOptions options, SearchMonitor& monitor)
     : evaluate_(evaluate),
       valve_(valve),
+      coordinates_(leaflet_coordinates(valve)),
       options_(std::move(options)),
       monitor_(monitor),
       before_(evaluate(valve, nullptr)) {
   context_ = {valve.tissue.thickness_mm, before().measure.tension_max_n, options_.weights};
   if (!trusted(before())) context_.tension_before_n = std::numeric_limits<double>::infinity();
-  const Expected<Valve> fixed = apply_plan(valve, options_.fixed);
+  const Expected<Valve> fixed = apply_plan(valve, options_.fixed, coordinates_);
   if (fixed)
     for (const Gate& gate : operation_gates({options_.fixed, valve_, *fixed}))
       if (gate.severity == GateSeverity::Reject) tolerated_.insert(gate.rule);
@@ -91,7 +92,7 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
   auto made = std::make_unique<PlanRecord>();
   made->plan = plan;
   made->key = key;
-  const Expected<Valve> repaired = apply_plan(valve_, plan);
+  const Expected<Valve> repaired = apply_plan(valve_, plan, coordinates_);
   made->possible = bool(repaired);
   if (repaired) {
     made->effort = effort(valve_, *repaired, plan);
@@ -119,7 +120,7 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
 }
 
 Valve PlanEvaluations::repaired(const PlanRecord& plan) const {
-  return plan.sewn ? *plan.sewn : *apply_plan(valve_, plan.plan);
+  return plan.sewn ? *plan.sewn : *apply_plan(valve_, plan.plan, coordinates_);
 }
 
 std::shared_ptr<PlanEvaluations::State> PlanEvaluations::state_of(const PlanRecord& plan) {

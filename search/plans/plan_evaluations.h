@@ -170,6 +170,7 @@ class PlanEvaluations {
   const Evaluator& evaluate_;
   std::set<std::string> tolerated_;  // rules
   Valve valve_;
+  LeafletCoordinates coordinates_;  // of it
   PlanEvaluationOptions options_;
   SearchMonitor& monitor_;
   ClosedPlan before_;

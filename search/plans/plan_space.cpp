@@ -66,7 +66,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
       coordinates_(leaflet_coordinates(valve)),
       diagnosis_(diagnosis),
       lesions_(find_lesions(valve, coordinates_, diagnosis)) {
-  ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed), 0.0};
+  ringed_[{"", 0}] = {rules.fixed, *apply_plan(valve, rules.fixed, coordinates_), 0.0};
   if (is_competent()) {
     branches_.push_back({});
     if (diagnosis_->competent_sure) {
@@ -122,7 +122,7 @@ std::vector<std::string> PlanSpace::offer_rings() {
   const auto try_ring = [&](const Annuloplasty& step, double size) {
     RepairPlan plan = rules_.fixed;
     plan.steps.emplace_back(step);
-    const Expected<Valve> valve = apply_plan(valve_, plan);
+    const Expected<Valve> valve = apply_plan(valve_, plan, coordinates_);
     const double below = valve ? ring_sizes_below(valve_, *valve) : 0.0;
     if (!valve || below > kMostSizesBelow) return false;
     ringed_[{shape_of(step), static_cast<int>(std::lround(2.0 * size))}] = {plan, *valve, below};
@@ -384,7 +384,7 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
   }
   // The middle of every branch must be possible; single points beyond are found out when they are
   // tried.
-  if (!apply_plan(valve_, plan(branch, start_of(branch)))) return std::nullopt;
+  if (!apply_plan(valve_, plan(branch, start_of(branch)), coordinates_)) return std::nullopt;
   return branch;
 }
 

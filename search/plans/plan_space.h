@@ -45,6 +45,8 @@ class PlanSpace {
   /// Fewest steps first, then in a fixed order; empty if nothing is left to decide.
   const std::vector<Branch>& branches() const { return branches_; }
   const std::vector<CutBranches>& cut() const { return cut_; }
+  /// Of the valve.
+  const LeafletCoordinates& coordinates() const { return coordinates_; }
 
   /// The plan at a point, its suture lengths within what the valve allows: neighbouring points at a
   /// border may be the same plan.

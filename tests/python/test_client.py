@@ -80,6 +80,36 @@ class Closures(ClientTest):
         self.assertEqual([list(face) for face in leaflets.faces], valve["faces"])
         self.assertEqual(len(leaflets.vertices_mm), len(valve["vertices_mm"]))
 
+    def test_what_a_closure_bears_is_that_of_the_scene(self):
+        plan = Plan(Ring("generic-classic", size_mm=30))
+        closure, scene = self.client.close(VALVE, plan), self.client.scene(VALVE, plan)
+        self.assertEqual(list(closure.segments), scene["segments"])
+        self.assertEqual(closure.chordae, tuple(chorda["id"] for chorda in scene["chordae"]))
+        for k, way in enumerate(("circumferential", "radial")):
+            self.assertLess(abs(closure.strain[:, k] - scene["strain"][way]).max(), 6e-5)
+        lines = [one for chorda in scene["chordae"] for one in chorda["segments"]]
+        self.assertEqual(closure.line_mm.shape, (len(lines), 2, 3))
+        self.assertLess(abs(closure.line_mm[:, 1] - [one["end_mm"] for one in lines]).max(), 6e-4)
+        self.assertAlmostEqual(closure.line_tension_n.max(), closure.measure.tension_max_n, places=3)
+        self.assertAlmostEqual(closure.tension_n.sum(), closure.measure.tension_sum_n, places=2)
+        self.assertLessEqual({"strain_radial", "segment"}, set(closure.leaflets().cell_data))
+        closure.save(self.folder / "closed.stl")
+        self.assertEqual((self.folder / "closed.stl").read_bytes(), self.client.export(VALVE, "stl", plan))
+
+    def test_options_are_those_of_the_command_line(self):
+        valve = small_valve()
+        for options, flags in (
+            ({"accuracy_mm2": 20}, ("--accuracy", 20)),
+            ({"membrane": "springs"}, ("--membrane", "springs")),
+            ({"certainty": "sure"}, ("--certainty", "sure")),
+        ):
+            printed = json.loads(coapt_command("close", valve, *flags, "--json").stdout)
+            closure = self.client.close(valve, **options)
+            self.assertEqual(closure.measure.leak_mm2, printed["leak_mm2"])
+            self.assertEqual(closure.json["steps"], printed["steps"])
+        refused = self.refused(coapt.InvalidRequest, self.client.close, valve, accuracy_mm2=1, certainty="sure")
+        self.assertEqual([problem.path for problem in refused.problems], ["/certainty"])
+
     def test_an_opening_is_the_one_of_the_command_line(self):
         plan = Plan(Ring("generic-classic", size_mm=30))
         plan.write(self.folder / "plan.json")

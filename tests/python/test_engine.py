@@ -156,14 +156,14 @@ class Arrays(EngineTest):
             numpy.quantile(closure.strain[:, 1], 0.99), closure.measure.strain_radial_max, rtol=0.05
         )
         self.assertTrue(0 < closure.contact.sum() < len(closure.contact))
-        for array in (closure.strain, closure.contact, closure.segments, closure.tension_n):
+        for array in (closure.strain, closure.contact, closure.segments, closure.tension_n, closure.line_mm):
             with self.assertRaises(ValueError):
                 array[0] = array[1]
         mesh = closure.leaflets()
         self.assertEqual(mesh.point_data["contact"].sum(), closure.contact.sum())
         self.assertEqual(mesh.cell_data["strain_radial"].tolist(), closure.strain[:, 1].tolist())
         self.assertEqual(coapt.Mesh(mesh.vertices_mm, mesh.faces).cell_data, {})
-        with self.assertRaisesRegex(coapt.CoaptError, "this process"):
+        with self.assertRaisesRegex(coapt.CoaptError, "read from a document"):
             coapt.Closure.from_json(closure.json).strain
 
     @unittest.skipUnless(importlib.util.find_spec("meshio"), "needs meshio")
@@ -260,7 +260,7 @@ class Threads(EngineTest):
         counter.start()
         start = time.perf_counter()
         try:
-            valve.native.close("", "")
+            valve.native.close(b"{}")
         finally:
             end = time.perf_counter()
             ended.set()

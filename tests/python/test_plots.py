@@ -88,6 +88,29 @@ class Plots(ClientTest):
             with self.assertRaisesRegex(coapt.MissingPackage, "pyvista"):
                 leaflets.to_pyvista()
 
+    @unittest.skipUnless(importlib.util.find_spec("vtkmodules"), "VTK is not installed")
+    def test_a_picture_in_three_dimensions_needs_no_display(self):
+        from matplotlib.image import imread
+
+        closure, file = self.client.close(small_valve()), self.folder / "closed.png"
+        with mock.patch.dict(os.environ):
+            os.environ.pop("DISPLAY", None)
+            closure.render(seen_from=(0, 0, 1), size_px=(320, 240)).write(file)
+            grey, strained = closure.leaflets().render(size_px=(80, 60)), closure.leaflets().render("strain_radial")
+        pixels = imread(file)[:, :, :3]
+        self.assertEqual(pixels.shape, (240, 320, 3))
+        self.assertEqual(pixels[0, 0].tolist(), [1, 1, 1])
+        self.assertLess(pixels[120, 160].min(), 1)  # leaflets in the middle
+        self.assertGreater(len(set(map(tuple, pixels.reshape(-1, 3).tolist()))), 100)  # and shades of their strain
+        self.assertNotEqual(grey, strained)
+        with mock.patch.dict(sys.modules, {"vtkmodules.all": None}):
+            self.assertRaisesRegex(coapt.MissingPackage, "python3-vtk9", closure.render)
+        import vtkmodules.all
+
+        if not hasattr(vtkmodules.all, "vtkEGLRenderWindow"):  # which needs no help
+            with mock.patch("ctypes.CDLL", side_effect=OSError):
+                self.assertRaisesRegex(coapt.MissingPackage, "libegl1", closure.render)
+
     def test_plans_are_points_with_their_ranks(self):
         result = self.scored(PLANS / "ring.json", PLANS / "own-ring.json", region_points=2)
         axes = self.drawn(plots.plans, result)

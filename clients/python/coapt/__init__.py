@@ -1,17 +1,20 @@
 """Mitral valve repair in simulation, in this process or by a coapt-server.
 
 >>> import coapt
->>> from coapt import Plan, Ring
+>>> from coapt import OwnRing, PapillaryApproximation, Plan, Ring, plots
 >>> valve = coapt.preset("human-functional-mr")
->>> ring = Plan(Ring("generic-classic", size_mm=36))
->>> valve.close(ring).measure.leak_mm2 < valve.close().measure.leak_mm2
+>>> plan = Plan(Ring("generic-classic", size_mm=32))
+>>> closure = valve.close(plan)
+>>> closure.measure.leak_mm2 < valve.close().measure.leak_mm2
 True
->>> engine = coapt.Engine()  # or coapt.Client("http://127.0.0.1:8080"): the same functions
->>> result = engine.search("human-functional-mr", evaluations=20, plans=1, region_points=5, evidence=False).result()
->>> result.plans[0].picture().write("before-after.png")
+>>> space = valve.space()
+>>> client = coapt.engine()  # or coapt.Client("http://127.0.0.1:8080"): the same functions
+>>> job = client.search("human-functional-mr", evaluations=20, plans=1, region_points=17)
+>>> result = job.result()
+>>> best = result.plans[0]
 
-Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is research software, not a medical device; not for
-clinical decisions.
+The examples below go on from here. Units are the last part of a name: mm, mm2, n (newtons), deg, s. coapt is research software,
+not a medical device; not for clinical decisions.
 """
 
 import pkgutil

@@ -51,7 +51,11 @@ class Asking:
         self._transport = transport
 
     def presets(self) -> list[str]:
-        """Names of the preset valves."""
+        """Names of the preset valves.
+
+        >>> "human-normal" in client.presets()
+        True
+        """
         return [preset["name"] for preset in self._get("/v1/presets")["presets"]]
 
     def _ask(

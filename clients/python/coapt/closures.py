@@ -10,16 +10,18 @@ import html
 import json
 import os
 import pathlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import tables
+from .drawn_meshes import OBLIQUE, RIM, THREAD, Lines, rim_of
 from .errors import CoaptError
 from .evidence import Coaptation
+from .fields import Fields
 from .leaks import Leak, LeakOpening
-from .meshes import Fields, Mesh
+from .meshes import Mesh, Picture
 
 if TYPE_CHECKING:
     import numpy
@@ -28,6 +30,8 @@ if TYPE_CHECKING:
 
 Status = Literal["converged", "step_limit", "diverged"]
 """How a closure ended: in equilibrium, before equilibrium, or unstable without a shape."""
+
+_BARE = "a closure that is read from a document, or refined by a service, has figures alone"
 
 Document = Mapping[str, Any]
 
@@ -107,12 +111,20 @@ class Measure(tables.Short):
 
     @property
     def leak(self) -> Leak:
-        """Its area with error and openings."""
+        """Its area with error and openings.
+
+        >>> closure.measure.leak.area_mm2 == closure.measure.leak_mm2
+        True
+        """
         return Leak.from_json(self.json["leak"])
 
     @property
     def coaptation(self) -> Coaptation:
-        """How the leaflets meet, at nine sections."""
+        """How the leaflets meet, at nine sections.
+
+        >>> len(closure.measure.coaptation.sections)
+        9
+        """
         return Coaptation.from_json(self.json["coaptation"])
 
 
@@ -175,31 +187,35 @@ class Closure(tables.Short):
         """The closed, repaired leaflets, vertices in the order of the valve's. Of the engine in this process its own numbers,
         read-only, not copied; of a service asked for now, to the digits of its PLY file.
 
-        :raises CoaptError: the closure came from a document alone
+        >>> closure.leaflets().vertices_mm.shape
+        (378, 3)
+
+        :raises CoaptError: the closure was read from a document, or refined by a service
         """
         if self._leaflets is None:
-            raise CoaptError("only closures of close(), close_many() and map() have leaflets")
+            raise CoaptError(_BARE)
         return self._leaflets()
 
     @property
     def closed_mm(self) -> Any:
-        """V x 3, float64: leaflets().vertices_mm."""
+        """V x 3, float64: leaflets().vertices_mm.
+
+        >>> lowest_mm = closure.closed_mm[:, 2].min()
+        """
         return self.leaflets().vertices_mm
 
     def _fields(self) -> Fields:
-        """:raises CoaptError: it is of a service, or diverged"""
+        """:raises CoaptError: it has none, or diverged"""
         fields = getattr(self._leaflets, "fields", None)
         if fields is None:
-            raise CoaptError(
-                "only closures of the engine in this process have strain, contact and tension; see Client.scene()"
-            )
+            raise CoaptError(_BARE)
         told: Fields = fields()
         return told
 
     @property
     def strain(self) -> NDArray[numpy.float64]:
         """F x 2, along the fibres and across them: Green-Lagrange strain of each triangle from the unstressed shape. Read-only, as are
-        those below; of the engine in this process alone.
+        those below; of a service asked for now, to four decimals.
 
         >>> closure = coapt.preset("human-functional-mr").close()
         >>> closure.strain.shape, closure.contact.shape, closure.segments.shape
@@ -210,27 +226,95 @@ class Closure(tables.Short):
 
     @property
     def contact(self) -> NDArray[numpy.bool_]:
-        """V: whether a vertex touches another part of the leaflets, within 1.25 of their thickness."""
-        return self._fields().contact
+        """V: whether a vertex touches another part of the leaflets, within 1.25 of their thickness.
+
+        >>> closure.contact.any(), closure.contact.all()
+        (True, False)
+
+        :raises CoaptError: the closure is of a service, which does not tell
+        """
+        contact = self._fields().contact
+        if contact is None:
+            raise CoaptError("only closures of the engine in this process have contact")
+        return contact
 
     @property
     def segments(self) -> NDArray[numpy.str_]:
-        """F: "A1" to "P3" and the commissures "AC" and "PC"; empty of a valve that is not mitral."""
+        """F: "A1" to "P3" and the commissures "AC" and "PC"; empty of a valve that is not mitral.
+
+        >>> sorted(set(closure.segments.tolist()))
+        ['A1', 'A2', 'A3', 'AC', 'P1', 'P2', 'P3', 'PC']
+        >>> strain_of_p2 = closure.strain[closure.segments == "P2"]
+        """
         return self._fields().segments
 
     @property
     def chordae(self) -> tuple[str, ...]:
-        """Their ids, neochordae included."""
+        """Their ids, neochordae included.
+
+        >>> len(closure.chordae) == len(valve.chordae)
+        True
+        """
         return self._fields().chordae
 
     @property
     def tension_n(self) -> NDArray[numpy.float64]:
-        """Of each chorda at its papillary head; 0 where it is slack or ruptured."""
+        """Of each chorda at its papillary head; 0 where it is slack or ruptured.
+
+        >>> pull_n = dict(zip(closure.chordae, closure.tension_n))
+        >>> round(sum(pull_n.values()), 3) == round(closure.measure.tension_sum_n, 3)
+        True
+        """
         return self._fields().tension_n
 
+    @property
+    def line_mm(self) -> NDArray[numpy.float64]:
+        """L x 2 x 3: the segments of the chordae, each from the end towards the papillary head to the other.
+
+        >>> closure.line_mm.shape == (len(closure.line_chorda), 2, 3) == (len(closure.line_tension_n), 2, 3)
+        True
+        """
+        return self._fields().line_mm
+
+    @property
+    def line_chorda(self) -> NDArray[numpy.int32]:
+        """L: of which chorda a segment is.
+
+        >>> tightest = closure.chordae[closure.line_chorda[closure.line_tension_n.argmax()]]
+        """
+        return self._fields().line_chorda
+
+    @property
+    def line_tension_n(self) -> NDArray[numpy.float64]:
+        """L: its tension.
+
+        >>> closure.line_tension_n.max() == closure.measure.tension_max_n
+        True
+        """
+        return self._fields().line_tension_n
+
     def plot(self, colour: str | None = "strain_radial", *, ax: Axes | None = None) -> Axes:
-        """See Mesh.plot(); plots.atrial_view() and others draw it in the plane."""
+        """See Mesh.plot(); plots.atrial_view() and others draw it in the plane.
+
+        >>> closure.plot("strain_circumferential").get_zlabel()
+        'to the atrium, mm'
+        """
         return self.leaflets().plot(colour, ax=ax)
+
+    def render(
+        self,
+        colour: str | None = "strain_radial",
+        *,
+        seen_from: Sequence[float] = OBLIQUE,
+        size_px: tuple[int, int] = (800, 600),
+    ) -> Picture:
+        """A picture in three dimensions by VTK, with the chordae and in blue the rims of the leak's openings: see Mesh.render().
+
+        >>> closure.render(seen_from=(0, 0, 1)).write("closed.png")
+        """
+        chordae = Lines(self.line_mm, 0.25, THREAD)
+        rims = [Lines(rim_of(one.outline_mm), 0.35, RIM) for one in self.measure.leak.openings]
+        return self.leaflets().render(colour, seen_from=seen_from, size_px=size_px, lines=(chordae, *rims))
 
     def save(self, path: str | os.PathLike[str], *, open: bool = False) -> None:
         """Write the valve in the file format of another program, chosen by the extension, like Engine.export() without closing again; ".json": the
@@ -239,8 +323,8 @@ class Closure(tables.Short):
         >>> coapt.preset("human-normal").close().save("closed.vtk")
 
         :param open: write the unstressed shape
-        :raises BadDocument: another ending
-        :raises CoaptError: the closure is of a service, or was pickled
+        :raises BadDocument, InvalidRequest: another ending
+        :raises CoaptError: the closure was pickled
         """
         file = pathlib.Path(path)
         if file.suffix == ".json" and not file.name.endswith(".mrk.json"):
@@ -248,12 +332,16 @@ class Closure(tables.Short):
             return
         written = getattr(self._leaflets, "file", None)
         if written is None:
-            raise CoaptError("only closures that this process made are saved; see Client.export()")
+            raise CoaptError("a closure that was pickled is not saved; close the valve again")
         file.write_bytes(written(file.name, open))
 
     @property
     def trusted(self) -> bool:
-        """Whether the results are reliable: the closure converged and leaflets do not cross."""
+        """Whether the results are reliable: the closure converged and leaflets do not cross.
+
+        >>> closure.trusted
+        True
+        """
         return self.status == "converged" and not self.crossing
 
     def _repr_html_(self) -> str:

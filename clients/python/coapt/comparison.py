@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import json
 import os
 import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from .closures import Closure, Measure
-from .errors import BadDocument, CoaptError, NoSuchFile
+from .closures import Closure
+from .errors import BadDocument, NoSuchFile
 from .geometry import packed_geometry
-from .local_transport import engine_module, reading, refusing
-from .meshes import Fields, Mesh, same_arrays
+from .leaflets import LocalLeaflets
+from .local_transport import engine_module, refusing
+from .meshes import Mesh, same_arrays
 
 if TYPE_CHECKING:
     import numpy
     from numpy.typing import NDArray
-
-    from . import _engine
 
 ShapeSource: TypeAlias = Any
 """A closure; a mesh: coapt's, a pair of points and faces, or one of meshio, PyVista, VTK or trimesh; or a file: OBJ, PLY, STL, VTK, VTP or
@@ -57,70 +54,6 @@ class Comparison:
     def __eq__(self, other: object) -> bool:
         alike = isinstance(other, Comparison) and self.json == other.json
         return alike and same_arrays(self, other, "signed_mm", "moved_mm")
-
-
-def local_closure(native: _engine.Closure) -> Closure:
-    """Its figures as they are; its document is written when it is asked for."""
-    valve, status, crossing, residual, steps, seconds, figures, warnings = native.told()
-
-    @cache
-    def document() -> Any:
-        return json.loads(native.document())
-
-    measure = Measure(*(*figures, document))
-    return Closure(
-        valve, status, crossing, residual, steps, seconds, measure, warnings, document, LocalLeaflets(native)
-    )
-
-
-class LocalLeaflets:
-    """Of a closure in this process."""
-
-    def __init__(self, native: _engine.Closure) -> None:
-        self.native = native
-
-    @cached_property
-    def _told(self) -> Fields | None:
-        told = self.native.fields()
-        return Fields.of_engine(told) if told else None
-
-    def fields(self) -> Fields:
-        """:raises CoaptError: the closure diverged"""
-        return known_fields_of(self._told)
-
-    def file(self, path: str, open: bool) -> bytes:
-        """:raises BadDocument: another ending than of formats that are known"""
-        with reading("the closure cannot be written"):
-            return self.native.file(path, open)
-
-    def __call__(self) -> Mesh:
-        return Mesh(self.native.closed_mm, self.native.faces, self.fields)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        # Its numbers: elsewhere there is no engine that has them.
-        return KeptLeaflets, (self.native.closed_mm, self.native.faces, self._told)
-
-
-@dataclass(frozen=True, eq=False)
-class KeptLeaflets:
-    """Of a closure that was pickled."""
-
-    closed_mm: NDArray[numpy.float64]
-    faces: NDArray[numpy.int32]
-    told: Fields | None
-
-    def fields(self) -> Fields:
-        """:raises CoaptError: the closure diverged"""
-        return known_fields_of(self.told)
-
-    def __call__(self) -> Mesh:
-        return Mesh(self.closed_mm, self.faces, self.fields)
-
-
-def known_fields_of(told: Fields | None) -> Fields:
-    if told is None:
-        raise CoaptError("this closure diverged, so it has no strain, contact and tension")
-    return told
 
 
 def _obj(source: Any) -> bytes:

@@ -11,22 +11,21 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 
 from .asking import checked_threads, given, search_rules
 from .closures import Closure
-from .comparison import Comparison, ShapeSource, local_closure, native_shape
+from .comparison import Comparison, ShapeSource, native_shape
 from .errors import BadDocument
 from .files import GEOMETRY, Path, read_json
 from .fits import FitResult, Known
+from .leaflets import local_closure
 from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
+from .native_valves import NativeValve
 from .service import Service
-from .sources import PlanSource, Valve, ValveHere, of_this_valve, valve_document
+from .sources import PlanSource, Valve, of_this_valve, valve_document
 from .spaces import Objective, Space, space_of
 from .steps import Step
 from .transport import CopiedAsItself, encoded
 
 if TYPE_CHECKING:
-    import numpy
-    from numpy.typing import ArrayLike, NDArray
-
-    from . import _engine
+    from numpy.typing import ArrayLike
 
 
 class Engine(CopiedAsItself, Service):
@@ -56,7 +55,11 @@ class Engine(CopiedAsItself, Service):
         return engine_here, ()
 
     def end(self) -> None:
-        """Stops jobs, and removes what was kept for this process alone. Without it, that is done at the end of the process."""
+        """Stops jobs, and removes what was kept for this process alone. Without it, that is done at the end of the process.
+
+        >>> engine = coapt.Engine()
+        >>> engine.end()
+        """
         self._local.end()
 
     def __repr__(self) -> str:
@@ -71,16 +74,27 @@ class Engine(CopiedAsItself, Service):
     def valve(self, source: Valve) -> LocalValve:
         """What may be given for a valve, read once.
 
+        >>> coapt.engine().valve("examples/valves/bodyparts3d-leaking.json").name
+        'bodyparts3d-leaking'
+
         :raises InvalidRequest: it is none; problems have pointers below "/valve"
         """
         return self._read(source)
 
     def preset(self, name: str) -> LocalValve:
-        """:raises InvalidRequest: there is none of that name"""
+        """
+        >>> coapt.engine().preset("porcine-1").name
+        'porcine-1'
+
+        :raises InvalidRequest: there is none of that name
+        """
         return self._named(name)
 
     def read_valve(self, path: Path) -> LocalValve:
         """A file of a coapt.valve/1.
+
+        >>> len(coapt.engine().read_valve("examples/valves/bodyparts3d-leaking.json").chordae) > 20
+        True
 
         :raises NoSuchFile, BadDocument: problems have pointers into the file
         """
@@ -100,6 +114,9 @@ class Engine(CopiedAsItself, Service):
         self, closed: ShapeSource, reference: ShapeSource, *, align: Literal["auto", "none", "rigid"] = "auto"
     ) -> Comparison:
         """Measure the distance from a closed shape to a reference.
+
+        >>> coapt.engine().compare(closure, valve.close()).max_mm > 1
+        True
 
         :param align: "rigid": by iterative closest point; "auto": only if the shapes do not share their nodes
         :raises NoSuchFile, BadDocument, InvalidRequest: of what is no shape
@@ -134,6 +151,10 @@ class Engine(CopiedAsItself, Service):
         progress: Callable[[int, float], object] | None = None,
     ) -> tuple[LocalValve, FitResult]:
         """Fits chordae, papillary tips and tissue of a valve to its imaged closed leaflets; Ctrl-C ends the fit with the best result so far.
+
+        >>> fitted, told = coapt.engine().fit(valve, valve.close().closed_mm, side="middle", points=300, rounds=1)
+        >>> fitted.close().trusted, told.rms_mm < 1
+        (True, True)
 
         :param points_mm: N x 3, of the closed surface in the valve's own frame
         :param side: surface of the leaflets that was imaged
@@ -183,13 +204,13 @@ class Engine(CopiedAsItself, Service):
     def _at_once(self, threads: int | None) -> int:
         return threads or self.threads or os.cpu_count() or 1
 
-    def _closure(self, source: LocalValve, plan: Any, material: Mapping[str, float] | None = None) -> Closure:
+    def _closure(self, source: LocalValve, plan: Any, options: Mapping[str, Any] = {}) -> Closure:
+        asked = given(plan=plan) | dict(options)
         with refusing():
-            native = source.native.close(b"" if plan is None else encoded(plan), encoded(material) if material else b"")
-        return local_closure(native)
+            return local_closure(source.native.close(encoded(asked)))
 
 
-class LocalValve(CopiedAsItself, ValveHere):
+class LocalValve(CopiedAsItself, NativeValve):
     """A mitral valve in this process; nothing changes it, and threads may share it. See preset(), read_valve() and
     Engine.valve(). Frame: x posteromedial, y anterior, z to the atrium. A Client takes it, too.
 
@@ -205,139 +226,17 @@ class LocalValve(CopiedAsItself, ValveHere):
     True
     """
 
-    def __init__(self, engine: Engine, native: _engine.Valve, id: str | None = None) -> None:
-        """:param id: by which the engine's requests name it; None: it is not stored yet"""
-        self.engine, self.native, self._name = engine, native, id
-        self._stored: tuple[_engine.Service | None, str] = (None, "")  # where, and under which id
+    engine: Engine
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _valve_of, (self.native.write(),)
 
-    def __eq__(self, other: object) -> bool:
-        return self is other or isinstance(other, LocalValve) and self.native.write() == other.native.write()
-
-    def __hash__(self) -> int:
-        return hash(self.native.write())
-
-    @property
-    def name(self) -> str:
-        """Of its document."""
-        return self.native.name
-
-    @property
-    def vertices_mm(self) -> NDArray[numpy.float64]:
-        """V x 3, unstressed."""
-        return self.native.vertices_mm
-
-    @property
-    def faces(self) -> NDArray[numpy.int32]:
-        """F x 3, numbers of vertices from 0; counter-clockwise seen from the atrium."""
-        return self.native.faces
-
-    @property
-    def annulus_mm(self) -> NDArray[numpy.float64]:
-        """A x 3, under pressure, in the order of the annulus's loop."""
-        return self.native.annulus_mm
-
-    def to_json(self) -> dict[str, Any]:
-        """The coapt.valve/1."""
-        document: dict[str, Any] = json.loads(self.native.write())
-        return document
-
-    def with_arrays(
-        self,
-        *,
-        vertices_mm: ArrayLike | None = None,
-        faces: ArrayLike | None = None,
-        annulus_mm: ArrayLike | None = None,
-    ) -> LocalValve:
-        """A valve that has these instead, copied; the rest is this one's.
-
-        >>> valve = coapt.preset("human-normal")
-        >>> try:
-        ...     valve.with_arrays(annulus_mm=valve.annulus_mm[:, :2])
-        ... except coapt.BadDocument as error:
-        ...     print(error.problems[0].path)
-        /annulus_mm
-
-        :param vertices_mm: V x 3, unstressed, an array or list of any numbers
-        :param faces: F x 3, of any integers
-        :param annulus_mm: A x 3, under pressure
-        :raises BadDocument: no numbers, another shape, a number that is not finite, or no valve: problems say where
-        """
-        with reading("these arrays make no valve"):
-            return LocalValve(self.engine, self.native.with_arrays(vertices_mm, faces, annulus_mm))
-
-    def replace(
-        self,
-        *,
-        name: str | None = None,
-        pressure_mmhg: float | None = None,
-        tissue: Mapping[str, float] | None = None,
-        papillary_mm: Mapping[str, Sequence[float]] | None = None,
-        chordae: Iterable[Mapping[str, Any]] | None = None,
-    ) -> LocalValve:
-        """A valve that has these instead; the rest is this one's.
-
-        >>> valve = coapt.preset("human-normal")
-        >>> outwards = valve.papillary_mm["posteromedial"] + [5, 0, -5]
-        >>> displaced = valve.replace(pressure_mmhg=140, papillary_mm={"posteromedial": outwards})
-        >>> displaced.close().measure.tenting_height_mm > valve.close().measure.tenting_height_mm
-        True
-        >>> without = valve.replace(chordae=[one for one in valve.chordae if one["kind"] != "strut"])
-
-        :param pressure_mmhg: across the closed valve
-        :param tissue: as of Engine.close()
-        :param papillary_mm: of a side, where the mean of its heads goes under pressure; the heads move as one, unpressurised too
-        :param chordae: as in chordae
-        :raises InvalidRequest: of pressure and tissue, with the accepted range
-        :raises BadDocument: the rest makes no valve
-        """
-        made = self
-        if name is not None or papillary_mm is not None or chordae is not None:
-            document = self.to_json() | given(name=name, chordae=None if chordae is None else list(chordae))
-            for side, to in (papillary_mm or {}).items():
-                if side not in self.papillary_mm:
-                    raise BadDocument(f"papillary_mm: {side!r} must be one of {', '.join(self.papillary_mm)}")
-                by = [float(a - b) for a, b in zip(to, self.papillary_mm[side], strict=True)]
-                for head in document["papillary_heads"]:
-                    if head["side"] == side:
-                        for place in ("rest_mm", "tip_mm"):
-                            head[place] = [a + b for a, b in zip(head[place], by)]
-            with reading("these make no valve"):
-                made = LocalValve(self.engine, engine_module().Valve.read(json.dumps(document), ""))
-        if material := given(pressure_mmhg=pressure_mmhg) | dict(tissue or {}):
-            with refusing():
-                made = LocalValve(self.engine, made.native.with_material(encoded(material)))
-        return made
-
-    @property
-    def papillary_mm(self) -> dict[str, NDArray[numpy.float64]]:
-        """Of each side the mean of its heads under pressure."""
-        import numpy
-
-        heads = self.to_json()["papillary_heads"]
-        sides = dict.fromkeys(head["side"] for head in heads)
-        return {side: numpy.mean([one["tip_mm"] for one in heads if one["side"] == side], axis=0) for side in sides}
-
-    @property
-    def chordae(self) -> list[dict[str, Any]]:
-        """As in the coapt.valve/1."""
-        chordae: list[dict[str, Any]] = self.to_json()["chordae"]
-        return chordae
-
-    def save(self, path: Path) -> None:
-        """To a file of a coapt.valve/1, which read_valve() reads; close().save() writes what other programs open.
-
-        >>> valve = coapt.preset("human-normal")
-        >>> valve.save("normal.json")
-        >>> coapt.read_valve("normal.json") == valve
-        True
-        """
-        pathlib.Path(path).write_text(self.native.write(), encoding="utf-8")
-
     def id(self, engine: Engine) -> str:
-        """By which requests to this engine name it; it is stored if need be."""
+        """By which requests to this engine name it; it is stored if need be.
+
+        >>> valve.id(valve.engine)
+        'human-functional-mr'
+        """
         if engine is not self.engine:
             return engine.put_valve(self.to_json()).id
         if self._name is not None:
@@ -395,12 +294,12 @@ class LocalValve(CopiedAsItself, ValveHere):
         *,
         align: Literal["auto", "none", "rigid"] = "auto",
     ) -> Comparison:
-        """The closed valve with a reference: see Engine.compare()."""
-        return self.engine.compare(self.close(plan), reference, align=align)
+        """The closed valve with a reference: see Engine.compare().
 
-    def __repr__(self) -> str:
-        vertices, triangles = self.native.counts
-        return f"LocalValve({self.name!r}, {vertices} vertices, {triangles} triangles)"
+        >>> valve.compare(valve.close(), plan).max_mm > 1
+        True
+        """
+        return self.engine.compare(self.close(plan), reference, align=align)
 
 
 _engines: list[Engine] = []  # none or one

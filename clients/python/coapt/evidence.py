@@ -55,7 +55,11 @@ class Coaptation(tables.Short):
         )
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a section: along, height_mm, distance_mm, contact."""
+        """A row a section: along, height_mm, distance_mm, contact.
+
+        >>> list(closure.measure.coaptation.to_frame())
+        ['along', 'height_mm', 'distance_mm', 'contact']
+        """
         return frames.records(Section, self.sections)
 
 
@@ -99,14 +103,23 @@ class LeakMaps(tables.Short):
     """Both muscles, then each suture alone. Empty: too little was closed."""
 
     def of(self, muscle: Muscle = "both") -> LeakMap:
-        """:raises KeyError: there is none of it"""
+        """
+        >>> len(best.leak_maps.of("both").outwards_deg)
+        11
+
+        :raises KeyError: there is none of it
+        """
         for one in self.maps:
             if one.muscle == muscle:
                 return one
         raise KeyError(f"no map of {muscle!r}; there are: {[one.muscle for one in self.maps]}")
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a node: muscle, suture_length_mm and outwards_deg (errors), leak_mm2."""
+        """A row a node: muscle, suture_length_mm and outwards_deg (errors), leak_mm2.
+
+        >>> list(best.leak_maps.to_frame())
+        ['muscle', 'suture_length_mm', 'outwards_deg', 'leak_mm2']
+        """
         rows = [
             (one.muscle, length, angle, leak)
             for one in self.maps
@@ -135,7 +148,11 @@ class Remodelling(tables.Short):
         return cls(tuple(range(max(map(len, curves.values()), default=0))), curves)
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a step: direction, displacement_mm, leak_mm2."""
+        """A row a step: direction, displacement_mm, leak_mm2.
+
+        >>> list(best.remodelling.to_frame())
+        ['direction', 'displacement_mm', 'leak_mm2']
+        """
         rows = [
             (direction, displacement, leak)
             for direction, leaks in self.leak_mm2.items()
@@ -156,9 +173,16 @@ class Table(tables.Short):
     """The text of it."""
 
     def to_frame(self) -> pandas.DataFrame:
-        """Its columns; what is not known is NaN."""
+        """Its columns; what is not known is NaN.
+
+        >>> len(job.evaluations().to_frame()) > 5
+        True
+        """
         return frames.csv(self.csv)
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """To a file, UTF-8."""
+        """To a file, UTF-8.
+
+        >>> job.evaluations().write("evaluations.csv")
+        """
         pathlib.Path(path).write_text(self.csv, encoding="utf-8")

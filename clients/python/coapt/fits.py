@@ -157,5 +157,10 @@ class ImportResult(tables.Short):
         )
 
     def picture(self) -> Picture:
-        """Picture of the input beside the resulting valve; a notebook shows it."""
+        """Picture of the input beside the resulting valve; a notebook shows it.
+
+        >>> imports = client.jobs("SUCCEEDED")
+        >>> [one.result().picture().write("import.png") for one in imports if one.kind == "import"][:1]
+        [...]
+        """
         return Picture(self._transport.request("GET", f"{self._path}/files/import.png").body)

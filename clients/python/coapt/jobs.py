@@ -53,42 +53,74 @@ class Job(Generic[Result]):
 
     @property
     def id(self) -> str:
-        """By which Client.job() finds it again."""
+        """By which Client.job() finds it again.
+
+        >>> client.job(job.id).state
+        'SUCCEEDED'
+        """
         return str(self.json["id"])
 
     @property
     def kind(self) -> str:
-        """One of "plans", "study" and "import"."""
+        """One of "plans", "study" and "import".
+
+        >>> job.kind
+        'plans'
+        """
         return str(self.json["kind"])
 
     @property
     def state(self) -> JobState:
-        """QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED, when it was last asked for."""
+        """QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED, when it was last asked for.
+
+        >>> job.state
+        'SUCCEEDED'
+        """
         state: JobState = self.json["state"]
         return state
 
     @property
     def ended(self) -> bool:
-        """Whether the job has ended."""
+        """Whether the job has ended.
+
+        >>> job.ended
+        True
+        """
         return self.state in ENDED
 
     @property
     def progress(self) -> Progress:
-        """How far it was when it was last asked for."""
+        """How far it was when it was last asked for.
+
+        >>> job.progress.best_leak_mm2 < valve.close().measure.leak_mm2
+        True
+        """
         return Progress.from_json(self.json["progress"])
 
     @property
     def problems(self) -> tuple[Problem, ...]:
-        """Of a failed job: why."""
+        """Of a failed job: why.
+
+        >>> job.problems
+        ()
+        """
         return tuple(map(Problem.from_json, self.json["problems"]))
 
     @property
     def path(self) -> str:
-        """Of its requests."""
+        """Of its requests.
+
+        >>> job.path == f"/v1/jobs/{job.id}"
+        True
+        """
         return f"/v1/jobs/{self.id}"
 
     def refresh(self) -> Job[Result]:
-        """Asks how the job is now; the same job."""
+        """Asks how the job is now; the same job.
+
+        >>> job.refresh().state
+        'SUCCEEDED'
+        """
         self.json = self._transport.request("GET", self.path).json()
         return self
 
@@ -97,6 +129,9 @@ class Job(Generic[Result]):
 
         A stream that breaks off is taken up where it was, also when the service was started again. A connection that stays
         away longer than the client's patience is Unreachable.
+
+        >>> [event.state for event in job.events()][-1]
+        'SUCCEEDED'
 
         :raises NotEnded: timeout_s is over
         """
@@ -146,6 +181,9 @@ class Job(Generic[Result]):
         """Until the job has ended, SUCCEEDED or CANCELLED; the same job. Ctrl-C ends a job of this process with the best so far,
         the second one at once; a job of a service goes on.
 
+        >>> job.wait(timeout_s=60).ended
+        True
+
         :param progress: called with each news of it, for instance show_progress or print
         :raises JobFailed: it ended otherwise
         :raises NotEnded: timeout_s is over; the job goes on
@@ -173,46 +211,77 @@ class Job(Generic[Result]):
     def result(self, timeout_s: float | None = None) -> Result:
         """The result, after waiting for the end of the job. A cancelled search has its best plans so far.
 
+        >>> job.result().plans[0].rank
+        1
+
         :raises NotFound: it was cancelled before it had anything
         """
         self.wait(timeout_s=timeout_s)
         return self._read(self._transport.request("GET", f"{self.path}/result").json(), self._transport, self.path)
 
     def cancel(self) -> Job[Result]:
-        """End the job early with the best result so far; wait() for it. A job that has ended is not changed."""
+        """End the job early with the best result so far; wait() for it. A job that has ended is not changed.
+
+        >>> begun = client.search("human-functional-mr", evaluations=50_000, plans=1, region_points=2, evidence=False)
+        >>> begun.cancel().wait().state
+        'CANCELLED'
+        """
         self.json = self._transport.request("POST", f"{self.path}:cancel", {}).json()
         return self
 
     def delete(self) -> None:
         """Removes an ended job with all its results.
 
+        >>> begun = client.search("human-normal", evaluations=1, plans=1, region_points=1, evidence=False)
+        >>> begun.wait().delete()
+
         :raises Conflict: it has not ended
         """
         self._transport.request("DELETE", self.path)
 
     def report(self) -> str:
-        """The report of the job: a self-contained HTML page."""
+        """The report of the job: a self-contained HTML page.
+
+        >>> "human-functional-mr" in job.report()
+        True
+        """
         return self._transport.request("GET", f"{self.path}/report").body.decode()
 
     def files(self) -> dict[str, int]:
-        """Names of its pages, tables and charts, with their bytes."""
+        """Names of its pages, tables and charts, with their bytes.
+
+        >>> sorted(job.files())
+        ['evaluations.csv', 'plan-1.html', 'report.html']
+        """
         listed = self._transport.request("GET", f"{self.path}/files").json()["files"]
         return {file["name"]: file["bytes"] for file in listed}
 
     def file(self, name: str) -> bytes:
         """One of them.
 
+        >>> job.file("report.html")[:15]
+        b'<!DOCTYPE html>'
+
         :raises NotFound: there is none of that name
         """
         return self._transport.request("GET", f"{self.path}/files/{name}").body
 
     def table(self, name: str) -> Table:
-        """One of its files that is CSV, such as "annulus.csv" of a study of the annulus."""
+        """One of its files that is CSV, such as "annulus.csv" of a study of the annulus.
+
+        >>> study = client.study("porcine-3", "annulus").wait()
+        >>> len(study.table("annulus.csv").to_frame()) > 2
+        True
+        """
         return Table(self.file(name).decode())
 
     def evaluations(self) -> Table:
         """Every plan that a search has tried, a row each in the order of trying; rank is empty for those that are not in its
-        result, plan is a coapt.plan/1 as JSON."""
+        result, plan is a coapt.plan/1 as JSON.
+
+        >>> job.evaluations().to_frame()["leak_mm2"].min() < 5
+        True
+        """
         return Table(self._transport.request("GET", f"{self.path}/evaluations.csv").body.decode())
 
     def __repr__(self) -> str:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import pathlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from .drawn_meshes import OBLIQUE, Lines, axes_of, png_of
 from .errors import MissingPackage, NoSuchFile
+from .fields import SEGMENTS, Fields
 from .local_transport import engine_module, reading
 
 try:
@@ -18,33 +20,6 @@ except ImportError:
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
-
-SEGMENTS = ("A1", "A2", "A3", "P1", "P2", "P3", "AC", "PC")
-"""The numbers of cell data "segment", in their order: six scallops and the two commissures."""
-
-
-@dataclass(frozen=True, eq=False)
-class Fields:
-    """What a closed valve bears, in read-only arrays."""
-
-    strain: NDArray[numpy.float64]
-    contact: NDArray[numpy.bool_]
-    segments: NDArray[numpy.str_]
-    chordae: tuple[str, ...]
-    tension_n: NDArray[numpy.float64]
-
-    @classmethod
-    def of_engine(cls, told: Mapping[str, Any]) -> Fields:
-        arrays = {
-            "strain": told["strain"],
-            "contact": numpy.array(told["contact"], dtype=bool),
-            "segments": numpy.array(told["segments"], dtype="U2"),
-            "tension_n": numpy.array(told["tension_n"], dtype=numpy.float64),
-        }
-        for array in arrays.values():
-            array.setflags(write=False)
-        return cls(chordae=tuple(told["chordae"]), **arrays)
 
 
 @dataclass(frozen=True)
@@ -58,7 +33,10 @@ class Picture:
     """The content of the file."""
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """To a file."""
+        """To a file.
+
+        >>> valve.picture(plan).write("repaired.png")
+        """
         pathlib.Path(path).write_bytes(self.png)
 
     def _repr_png_(self) -> bytes:
@@ -73,30 +51,6 @@ def same_arrays(a: Any, b: Any, *names: str) -> bool:
     if numpy is None:
         return all(getattr(a, name) == getattr(b, name) for name in names)
     return all(numpy.array_equal(getattr(a, name), getattr(b, name)) for name in names)
-
-
-def drawn(mesh: Mesh, colour: str | None, ax: Axes | None) -> Axes:
-    """See Mesh.plot()."""
-    try:
-        from matplotlib import pyplot
-        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-    except ImportError as error:
-        raise MissingPackage(
-            "a drawing needs matplotlib: pip install matplotlib, or apt install python3-matplotlib"
-        ) from error
-    axes: Any = pyplot.figure().add_subplot(projection="3d") if ax is None else ax
-    triangles = mesh.vertices_mm[mesh.faces]
-    drawing = Poly3DCollection(triangles, edgecolor="#ffffff60", linewidth=0.2, facecolor="#9aa3ad")
-    if colour is not None:
-        drawing.set_array(mesh.cell_data[colour])
-        axes.figure.colorbar(drawing, ax=axes, label=colour.replace("_", " "))
-    axes.add_collection3d(drawing)
-    lower, upper = mesh.vertices_mm.min(axis=0), mesh.vertices_mm.max(axis=0)
-    axes.set(**{f"{name}lim": (lower[k], upper[k]) for k, name in enumerate("xyz")})
-    axes.set(xlabel="posteromedial, mm", ylabel="anterior, mm", zlabel="to the atrium, mm")
-    axes.set_box_aspect(upper - lower)
-    axes.view_init(elev=50, azim=-90)
-    return axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,12 +69,17 @@ class Mesh:
 
     @property
     def point_data(self) -> dict[str, Any]:
-        """Of the vertices of a closure of the engine in this process: "contact", 1 where leaflets touch; else empty."""
-        return {} if self._fields is None else {"contact": self._fields().contact.astype("uint8")}
+        """Of the vertices of a closure of the engine in this process: "contact", 1 where leaflets touch; else empty.
+
+        >>> int(closure.leaflets().point_data["contact"].max())
+        1
+        """
+        contact = None if self._fields is None else self._fields().contact
+        return {} if contact is None else {"contact": contact.astype("uint8")}
 
     @property
     def cell_data(self) -> dict[str, Any]:
-        """Of the triangles, likewise: "strain_circumferential", "strain_radial", and "segment" by its number in meshes.SEGMENTS.
+        """Of the triangles of any closure: "strain_circumferential", "strain_radial", and "segment" by its number in fields.SEGMENTS.
 
         >>> sorted(coapt.preset("human-normal").close().leaflets().cell_data)
         ['segment', 'strain_circumferential', 'strain_radial']
@@ -137,6 +96,9 @@ class Mesh:
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
         """A file, by its ending: OBJ, PLY, STL, VTK, VTP or VTU.
+
+        >>> coapt.Mesh.read("examples/valves/source/bodyparts3d/anterior_leaflet_sheet.obj").faces.shape[1]
+        3
 
         :raises NoSuchFile, BadDocument: it is not there, or no mesh
         """
@@ -164,9 +126,10 @@ class Mesh:
         file.write_bytes(content)
 
     @classmethod
-    def from_ply(cls, content: bytes) -> Mesh:
+    def from_ply(cls, content: bytes, fields: Callable[[], Fields] | None = None) -> Mesh:
         """Of the service's PLY: ASCII, first the vertices' three coordinates, then triangles.
 
+        :param fields: what it bears
         :raises ValueError: it is another
         """
         head, end, body = content.decode("ascii").partition("end_header\n")
@@ -180,10 +143,12 @@ class Mesh:
             raise ValueError("a PLY that breaks off, or not of triangles")
         if numpy is None:
             return cls(vertices, faces)
-        return cls(numpy.array(vertices, dtype=numpy.float64), numpy.array(faces, dtype=numpy.int64))
+        return cls(numpy.array(vertices, dtype=numpy.float64), numpy.array(faces, dtype=numpy.int64), fields)
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh of triangles with point_data and cell_data: to_meshio().write("closed.vtu").
+
+        >>> closure.leaflets().to_meshio().write("closed.vtu")
 
         :raises MissingPackage: meshio is not installed
         """
@@ -196,6 +161,8 @@ class Mesh:
 
     def to_pyvista(self) -> Any:
         """A pyvista.PolyData with point_data and cell_data.
+
+        >>> closure.leaflets().to_pyvista().plot()  # doctest: +SKIP
 
         :raises MissingPackage: pyvista is not installed
         """
@@ -219,7 +186,26 @@ class Mesh:
         :param ax: of projection "3d"; None: new ones
         :raises MissingPackage: matplotlib is not installed
         """
-        return drawn(self, colour, ax)
+        return axes_of(self, colour, ax)
+
+    def render(
+        self,
+        colour: str | None = None,
+        *,
+        seen_from: Sequence[float] = OBLIQUE,
+        size_px: tuple[int, int] = (800, 600),
+        lines: Sequence[Lines] = (),
+    ) -> Picture:
+        """A picture in three dimensions by VTK, which needs no display.
+
+        >>> closure.leaflets().render("strain_radial").write("strain.png")
+
+        :param colour: one of cell_data; None: that of tissue
+        :param seen_from: a direction in the valve's frame; (0, 0, 1): from the atrium
+        :param lines: drawn beside it
+        :raises MissingPackage: VTK, or EGL for one that needs a display, is not installed
+        """
+        return Picture(png_of(self, colour, lines, seen_from, size_px))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Mesh) and same_arrays(self, other, "vertices_mm", "faces")

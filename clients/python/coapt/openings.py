@@ -61,13 +61,21 @@ class Opening(tables.Short):
 
     @property
     def trusted(self) -> bool:
-        """Whether the results are reliable: equilibrium was reached and leaflets do not cross."""
+        """Whether the results are reliable: equilibrium was reached and leaflets do not cross.
+
+        >>> valve.open().trusted
+        True
+        """
         return self.status == "converged" and not self.crossing
 
     @property
     def scene(self) -> Mapping[str, Any]:
         """All that is drawn of it: open_mm, faces, annulus_mm, heads, chordae, leak (a surface for each opening: points_mm,
-        faces, outline), motion_mm. Lists of points are flat: x, y, z, x, y, z, ..."""
+        faces, outline), motion_mm. Lists of points are flat: x, y, z, x, y, z, ...
+
+        >>> len(valve.open().scene["open_mm"]) == 3 * len(valve.vertices_mm)
+        True
+        """
         scene: Mapping[str, Any] = self.json["scene"]
         return scene
 

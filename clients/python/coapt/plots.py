@@ -52,6 +52,8 @@ def leak_map(
 ) -> Axes:
     """Leak versus errors of suture length and of the angle of the tips. A frame marks the plan; cells not closed are hatched.
 
+    >>> plots.leak_map(best).figure.savefig("map.pdf")
+
     :param most_mm2: end of the colour scale, so that maps can be compared; by default the map's largest leak, 1 mm2 at least
     :raises KeyError: the plan has no map of this muscle
     """
@@ -84,7 +86,11 @@ def _frame(x: float, y: float, width: float, height: float) -> Any:
 
 
 def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
-    """Coaptation height in nine sections (blue); where leaflets do not coapt, their distance (red, downwards)."""
+    """Coaptation height in nine sections (blue); where leaflets do not coapt, their distance (red, downwards).
+
+    >>> plots.coaptation(closure).get_ylabel()
+    'coaptation height or distance, mm'
+    """
     axes, sections = _axes(ax), closure.measure.coaptation.sections
     width = 0.8 / len(sections)
     for label, colour, contact in (("coaptation height", _BLUE, True), ("leaflets apart", _RED, False)):
@@ -104,7 +110,10 @@ def coaptation(closure: Closure, *, ax: Axes | None = None) -> Axes:
 
 def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
     """The closed leaflets seen from the atrium: anterior up, the anterolateral side left; colours are heights above the
-    annulus, blue lines the rims of the leak's openings. Leaflets are drawn without their thickness."""
+    annulus, blue lines the rims of the leak's openings. Leaflets are drawn without their thickness.
+
+    >>> plots.atrial_view(closure).figure.savefig("closed.pdf")
+    """
     axes, mesh = _axes(ax), closure.leaflets()
     points, faces = _rows(mesh.vertices_mm), _rows(mesh.faces)
     height = [sum(points[corner][2] for corner in face) / 3.0 for face in faces]
@@ -128,7 +137,11 @@ def atrial_view(closure: Closure, *, ax: Axes | None = None) -> Axes:
 
 
 def section(closure: Closure, x_mm: float = 0.0, *, ax: Axes | None = None) -> Axes:
-    """The closed leaflets cut by the plane x = x_mm (0: through the annulus's middle, A2 and P2), the atrium above."""
+    """The closed leaflets cut by the plane x = x_mm (0: through the annulus's middle, A2 and P2), the atrium above.
+
+    >>> plots.section(closure, x_mm=5).get_xlabel()
+    'anterior, mm'
+    """
     from matplotlib.collections import LineCollection
 
     axes, mesh = _axes(ax), closure.leaflets()
@@ -170,7 +183,11 @@ def plans(
     ax: Axes | None = None,
 ) -> Axes:
     """Trade-offs of ranked plans: tension, opening or reserve versus the mean leak, with the sd of the leak. Numbers are ranks, filled
-    points Pareto-optimal plans. Plans with unknown values are omitted."""
+    points Pareto-optimal plans. Plans with unknown values are omitted.
+
+    >>> plots.plans(result, "opening_area_mm2").get_ylabel()
+    'opening in diastole, mm²'
+    """
     axes = _axes(ax)
     for plan in result.plans:
         mean, sd = plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0
@@ -187,7 +204,11 @@ def plans(
 
 
 def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
-    """Search score of the best plan so far versus closures, and the expectation for a random search."""
+    """Search score of the best plan so far versus closures, and the expectation for a random search.
+
+    >>> plots.progress(result).get_xlabel()
+    'closures'
+    """
     axes, highest = _axes(ax), 0.0
     for name, label, style in (("progress", "search", "-"), ("random_progress", "random search, expected", "--")):
         points: Sequence[Mapping[str, Any]] = [one for one in result.json[name] if one["cost"] is not None]
@@ -206,7 +227,10 @@ def progress(result: SearchResult, *, ax: Axes | None = None) -> Axes:
 
 
 def remodelling(plan: RankedPlan, *, ax: Axes | None = None) -> Axes:
-    """Leak versus further papillary displacement after the repair, one line per direction."""
+    """Leak versus further papillary displacement after the repair, one line per direction.
+
+    >>> plots.remodelling(best).figure.savefig("remodelling.pdf")
+    """
     axes, curves = _axes(ax), plan.remodelling
     for (direction, leaks), (colour, marker) in zip(curves.leak_mm2.items(), cycle(_LINES)):
         shown = {"color": colour, "marker": marker, "markersize": 5, "alpha": 0.8, "clip_on": False}

@@ -47,6 +47,9 @@ class Plan:
     def read(cls, path: Path) -> Plan:
         """The plan of a file, the first of several.
 
+        >>> len(Plan.read("examples/plans/mixed.json").steps)
+        2
+
         :raises NoSuchFile, BadDocument: it holds none
         """
         return read_plans(path)[0].plan
@@ -56,11 +59,20 @@ class Plan:
         return {"schema": "coapt.plan/1", "steps": [step.to_json() for step in self.steps]}
 
     def write(self, path: Path) -> None:
-        """To a file, as Plan.read() and `coapt close --plan` read it."""
+        """To a file, as Plan.read() and `coapt close --plan` read it.
+
+        >>> plan.write("plan.json")
+        >>> Plan.read("plan.json") == plan
+        True
+        """
         pathlib.Path(path).write_text(json.dumps(self.to_json(), indent=2) + "\n")
 
     def with_step(self, step: Step) -> Plan:
-        """This plan and one step more."""
+        """This plan and one step more.
+
+        >>> plan.with_step(PapillaryApproximation("posteromedial", 24)).steps[-1].side
+        'posteromedial'
+        """
         return Plan(*self.steps, step)
 
     def __eq__(self, other: object) -> bool:

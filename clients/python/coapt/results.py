@@ -72,7 +72,11 @@ class Evaluations(tables.Short):
 
     def to_frame(self) -> pandas.DataFrame:
         """A row a plan; "plan" is the coapt.plan/1 as JSON, and its steps' numbers follow. Figures are as planned but those that begin with
-        mean, sd, p95 and worst, which are over the region of interest."""
+        mean, sd, p95 and worst, which are over the region of interest.
+
+        >>> list(valve.evaluate([plan]).to_frame()["annuloplasty_size_mm"])
+        [32.0]
+        """
         return frames.with_steps(frames.table(self.plans, COLUMNS), (one.plan.to_json() for one in self.plans))
 
     def _repr_html_(self) -> str:
@@ -119,7 +123,11 @@ class SearchResult(tables.Short):
 
     def to_frame(self) -> pandas.DataFrame:
         """A row a plan; "plan" is the coapt.plan/1 as JSON, and its steps' numbers follow. Figures are as planned but those that begin with
-        mean, sd, p95 and worst, which are over the region of interest."""
+        mean, sd, p95 and worst, which are over the region of interest.
+
+        >>> list(result.to_frame()["rank"])
+        [1]
+        """
         return frames.with_steps(frames.table(self.plans, COLUMNS), (one.plan.to_json() for one in self.plans))
 
     def _repr_html_(self) -> str:
@@ -189,7 +197,11 @@ class StudyResult(tables.Short):
         )
 
     def to_frame(self) -> pandas.DataFrame:
-        """A row a finding."""
+        """A row a finding.
+
+        >>> list(client.study("porcine-3", "annulus").result().to_frame())[:2]
+        ['finding', 'section']
+        """
         return frames.records(Finding, self.findings)
 
     def _repr_html_(self) -> str:

@@ -48,19 +48,32 @@ class Searcher:
     def best(self) -> tuple[Point, float]:
         """The vector of least value, and that.
 
+        >>> searcher = space.searcher()
+        >>> searcher.tell([space.lower, space.upper], [2.0, 1.0])
+        >>> searcher.best == (space.upper, 1.0)
+        True
+
         :raises ValueError: nothing was told
         """
         return min(self.told, key=lambda one: one[1])
 
     def tell(self, vectors: Iterable[Iterable[float]], values: Iterable[float]) -> None:
-        """What points are worth, asked for or not; less is better. Infinite or no number: refused."""
+        """What points are worth, asked for or not; less is better. Infinite or no number: refused.
+
+        >>> searcher = space.searcher()
+        >>> searcher.tell([space.start], [space(space.start)])
+        """
         for x, value in zip(vectors, values, strict=True):
             point = tuple(map(float, x))
             self._asked[self._of(point)[0]] = None
             self.told.append((point, math.inf if math.isnan(value) else float(value)))
 
     def ask(self, count: int = 1) -> list[Point]:
-        """Points to try next, none of which was asked for or told before: fewer than count where nothing is left."""
+        """Points to try next, none of which was asked for or told before: fewer than count where nothing is left.
+
+        >>> len(space.searcher().ask(4))
+        4
+        """
         starts: list[Point] = self.space._starts()
         chosen: list[Point] = []
         while len(chosen) < count:

@@ -34,7 +34,11 @@ class Service(StoredWork):
         self._patience_s = patience_s
 
     def version(self) -> str:
-        """Of what answers."""
+        """Of what answers.
+
+        >>> client.version() == coapt.__version__
+        True
+        """
         return str(self._get("/version")["version"])
 
     def search(
@@ -182,11 +186,19 @@ class Service(StoredWork):
         return Job(self._transport, json, ImportResult.from_json, self._patience_s)
 
     def job(self, id: str) -> Job[Any]:
-        """A job that was begun before."""
+        """A job that was begun before.
+
+        >>> client.job(job.id).result() == result
+        True
+        """
         return self._job(self._get(path_of("/v1/jobs", id)))
 
     def jobs(self, state: str | None = None) -> Iterator[Job[Any]]:
-        """All jobs, newest first; only those QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED if state says so."""
+        """All jobs, newest first; only those QUEUED, RUNNING, SUCCEEDED, FAILED or CANCELLED if state says so.
+
+        >>> job.id in [one.id for one in client.jobs("SUCCEEDED")]
+        True
+        """
         yield from map(self._job, self._listed("/v1/jobs", "jobs", given(state=state)))
 
     def _job(self, json: Mapping[str, Any]) -> Job[Any]:

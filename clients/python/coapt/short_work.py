@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from functools import partial
 from typing import Any, Literal
 
 from .asking import Asking, checked_threads, given
 from .closures import Closure
-from .meshes import Mesh, Picture
+from .leaflets import ServiceLeaflets
+from .meshes import Picture
 from .openings import Opening
 from .results import Evaluations
 from .sources import PlanSource, Valve, all_named_plans, every_valve, plan_document, valve_document
@@ -45,24 +45,35 @@ class ShortWork(Asking):
         pressure_mmhg: float | None = None,
         tissue: Mapping[str, float] | None = None,
         certainty: Literal["quick", "sure", "proof"] | None = None,
+        accuracy_mm2: float | None = None,
+        method: Literal["fast", "thesis"] | None = None,
+        membrane: Literal["continuum", "springs"] | None = None,
     ) -> Closure:
-        """Closes a valve, optionally repaired by a plan, and measures its leak. Check Closure.trusted.
+        """Closes a valve, optionally repaired by a plan, and measures its leak. Check Closure.trusted. Options are those of `coapt close`
+        and `POST /v1/closures`.
 
         >>> client.close("human-normal", pressure_mmhg=150, tissue={"radial_extension": 0.08}).trusted
         True
+        >>> client.close("human-normal", accuracy_mm2=20).json["accuracy"]["error_mm2"]
+        20.0
 
         :param pressure_mmhg: pressure across the closed valve, overriding its own
         :param tissue: in place of its own: "thickness_mm", "radial_extension", "circumferential_extension" (strains at which
             leaflets become stiff), "radial_stiffness", "circumferential_stiffness" (moduli beyond, times 760 and 2,300 kPa)
         :param certainty: how much time the leak is worth: the mesh as given ("quick"), also one of four times the triangles, or
             finer and finer ones until the leak settles; what they said is in json["convergence"]
+        :param accuracy_mm2: of the leak: the mesh is refined and tolerances are chosen to reach it; not with certainty
+        :param method: closure solver; "thesis": the much slower reference solver ("fast")
+        :param membrane: a continuum, which converges under refinement, or the springs of the thesis ("continuum")
         """
-        material = given(pressure_mmhg=pressure_mmhg) | dict(tissue or {})
-        document = None if plan is None else plan_document(plan)
-        if certainty in (None, "quick"):
-            return self._closure(self._read(valve), document, material)
-        asked = given(plan=document, material=material or None, certainty=certainty)
-        return Closure.from_json(self._ask("/v1/closures", valve, asked).json())
+        options = given(
+            material=given(pressure_mmhg=pressure_mmhg) | dict(tissue or {}) or None,
+            certainty=None if certainty == "quick" else certainty,
+            accuracy_mm2=accuracy_mm2,
+            method=method,
+            membrane=membrane,
+        )
+        return self._closure(self._read(valve), None if plan is None else plan_document(plan), options)
 
     def close_many(
         self,
@@ -71,7 +82,11 @@ class ShortWork(Asking):
         *,
         threads: int | None = None,
     ) -> list[SweepItem]:
-        """All of map(), at once: every valve with every plan."""
+        """All of map(), at once: every valve with every plan.
+
+        >>> [item.trusted for item in client.close_many("human-normal", [Plan(), plan])]
+        [True, True]
+        """
         return list(self.map(valves, plans, threads=threads))
 
     def open(
@@ -85,6 +100,9 @@ class ShortWork(Asking):
         frames: int = 0,
     ) -> Opening:
         """Opens a valve in diastole, optionally repaired by a plan, and measures its opening. Check Opening.trusted.
+
+        >>> client.open("human-functional-mr", plan, flow_ml_s=155).gradient_mmhg < 10
+        True
 
         :param pressure_mmhg: peak atrioventricular pressure difference during filling, 1 to 30 (the pressure that drives the flow)
         :param flow_ml_s: mean filling flow at rest, 10 to 1,000 (155, less for a small annulus)
@@ -200,17 +218,27 @@ class ShortWork(Asking):
     ) -> bytes:
         """The closed valve, optionally repaired by a plan, in the file format of another program.
 
+        >>> client.export("human-functional-mr", "glb", plan)[:4]
+        b'glTF'
+
         :param open: export the unstressed shape instead of the closed one; not for csv
         """
         return self._ask("/v1/exports", valve, repair_of(plan, format=format, open=open)).body
 
     def picture(self, valve: Valve, plan: PlanSource | None = None) -> Picture:
-        """Picture of the closed valve, optionally repaired by a plan, from the atrium and in section, with its measurements; a notebook shows it."""
+        """Picture of the closed valve, optionally repaired by a plan, from the atrium and in section, with its measurements; a notebook shows it.
+
+        >>> client.picture("human-functional-mr", plan).write("closed.png")
+        """
         return Picture(self._ask("/v1/pictures", valve, repair_of(plan)).body)
 
     def scene(self, valve: Valve, plan: PlanSource | None = None, *, frames: int = 0) -> dict[str, Any]:
         """All data for drawing a closed valve, as lists and numbers (coapt.scene/2): points, triangles, chordae with tension,
         the leak's surface, annulus.
+
+        >>> scene = client.scene("human-functional-mr", plan, frames=3)
+        >>> len(scene["motion_mm"]), scene["leak"][0]["area_mm2"] > 0
+        (3, True)
 
         :param frames: number of states between open and closed, 0 to 60
         """
@@ -226,6 +254,10 @@ class ShortWork(Asking):
         model_draws: int | None = None,
     ) -> Evaluations:
         """Scores given plans as a search scores its finalists, in the given order.
+
+        >>> scored = client.evaluate("human-functional-mr", [plan, Plan(OwnRing(2))], region_points=3)
+        >>> sorted(one.rank for one in scored.plans)
+        [1, 2]
 
         :param region_points: number of nodes of each plan's region of interest to close, 1 to 1,089, 1 by default; plans times nodes must stay
             below the service's limit (1,000 closures)
@@ -245,7 +277,11 @@ class ShortWork(Asking):
         evidence: bool | None = None,
         model_draws: int | None = None,
     ) -> str:
-        """A report on at most ten given plans, scored as by evaluate(): a self-contained HTML page."""
+        """A report on at most ten given plans, scored as by evaluate(): a self-contained HTML page.
+
+        >>> "ring" in client.report("human-functional-mr", [plan])
+        True
+        """
         return self._ask("/v1/reports", valve, scoring_of(plans, region_points, evidence, model_draws)).body.decode()
 
     def _at_once(self, threads: int | None) -> int:
@@ -256,10 +292,10 @@ class ShortWork(Asking):
         """What _closure() takes of a valve."""
         return valve_document(valve)
 
-    def _closure(self, source: Any, plan: Any, material: Mapping[str, float] | None = None) -> Closure:
-        repair = given(plan=plan, material=material or None)
-        leaflets = partial(self._leaflets, source, repair | {"format": "ply"})
-        return Closure.from_json(self._ask("/v1/closures", source, repair).json(), leaflets)
-
-    def _leaflets(self, source: Any, export: Mapping[str, Any]) -> Mesh:
-        return Mesh.from_ply(self._ask("/v1/exports", source, export).body)
+    def _closure(self, source: Any, plan: Any, options: Mapping[str, Any] = {}) -> Closure:
+        """:param options: of `POST /v1/closures`"""
+        repair = given(plan=plan, material=options.get("material"))
+        closure = self._ask("/v1/closures", source, {**repair, **options}).json()
+        # What is drawn and exported is the closure of the mesh as given.
+        as_given = set(options) <= {"material"}
+        return Closure.from_json(closure, ServiceLeaflets(self._ask, source, repair) if as_given else None)

@@ -24,11 +24,19 @@ class StoredWork(ShortWork):
     """Valves and plans that are kept, and the rings there are."""
 
     def rings(self) -> list[RingShape]:
-        """Shapes that Ring() may name."""
+        """Shapes that Ring() may name.
+
+        >>> "generic-classic" in [ring.name for ring in client.rings()]
+        True
+        """
         return [RingShape(**known_fields(RingShape, ring)) for ring in self._get("/v1/rings")["rings"]]
 
     def put_valve(self, valve: Valve) -> StoredValve:
-        """Stores a valve; the same valve has the same id."""
+        """Stores a valve; the same valve has the same id.
+
+        >>> client.put_valve(valve.to_json()).triangles
+        648
+        """
         document = valve_document(valve)
         stored = self._post("/v1/valves", document)
         return StoredValve(stored["id"], document["name"], stored["vertices"], stored["triangles"], stored["chordae"])
@@ -45,11 +53,17 @@ class StoredWork(ShortWork):
     ) -> StoredValve:
         """Makes a valve from the files of a segmentation tool, in one unit, and stores it.
 
+        >>> folder = "examples/valves/source/bodyparts3d"
+        >>> leaflets = [coapt.Mesh.read(f"{folder}/{name}_leaflet_sheet.obj") for name in ("anterior", "posterior")]
+        >>> imported = client.import_valve(leaflets, f"{folder}/annulus_centerline.csv", f"{folder}/chordae.csv")
+        >>> client.close(imported).trusted
+        True
+
         :param leaflets: OBJ, PLY, STL or VTK: the anterior, then the posterior leaflet, or one file with both as its parts, or one
             skirt; or the path of a label map of both (NRRD or NIfTI). Also what is in memory: pairs of points and faces, meshes of
             meshio, PyVista, VTK, trimesh
-        :param annulus: a table of x, y, z, or a closed curve of Slicer (.mrk.json), or points or a line in memory; None: that of the label map, else found at the
-            leaflets
+        :param annulus: a table of x, y, z, or a closed curve of Slicer (.mrk.json), or points or a line in memory; None: that of the
+            label map, else found at the leaflets
         :param chordae: CSV or JSON; or a seed, to synthesise chordae from anatomical data
         :param tips: imaged papillary tips for synthesised chordae: CSV of papillary,x,y,z or labelled Slicer points, or a mapping of
             "AL" and "PM" to a point; by default tips are synthesised as well
@@ -64,7 +78,11 @@ class StoredWork(ShortWork):
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
 
     def import_slicerheart(self, folder: Path, *, name: str = "imported", **options: Any) -> StoredValve:
-        """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote."""
+        """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote.
+
+        >>> client.import_slicerheart("exported", triangles=300).triangles < 400
+        True
+        """
         return self._imported({"slicerheart": packed_folder(folder)}, name, options)
 
     def _imported(self, files: dict[str, Any], name: str, options: dict[str, Any]) -> StoredValve:
@@ -73,12 +91,21 @@ class StoredWork(ShortWork):
         return StoredValve(stored["id"], name, stored["vertices"], stored["triangles"], stored["chordae"], decisions)
 
     def valves(self) -> Iterator[StoredValve]:
-        """Stored valves, newest first: those of put_valve() and those that jobs were asked for with."""
+        """Stored valves, newest first: those of put_valve() and those that jobs were asked for with.
+
+        >>> kept = client.put_valve(valve.to_json())
+        >>> kept.id in [one.id for one in client.valves()]
+        True
+        """
         for one in self._listed("/v1/valves", "valves"):
             yield StoredValve(one["valve"], one["name"], one["vertices"], one["triangles"])
 
     def get_valve(self, name: str) -> dict[str, Any]:
-        """The coapt.valve/1 of a preset or a stored valve: millimetres; x posteromedial, y anterior, z to the atrium."""
+        """The coapt.valve/1 of a preset or a stored valve: millimetres; x posteromedial, y anterior, z to the atrium.
+
+        >>> client.get_valve("human-normal")["schema"]
+        'coapt.valve/1'
+        """
         try:
             valve: dict[str, Any] = self._get(path_of("/v1/valves", name))
         except NotFound as error:
@@ -86,15 +113,27 @@ class StoredWork(ShortWork):
         return valve
 
     def delete_valve(self, id: str) -> None:
-        """:raises Conflict: jobs or kept plans refer to it; delete these first"""
+        """
+        >>> kept = client.put_valve(valve.replace(name="for a while"))
+        >>> client.delete_valve(kept.id)
+
+        :raises Conflict: jobs or kept plans refer to it; delete these first
+        """
         self._transport.request("DELETE", path_of("/v1/valves", id))
 
     def validate_valve(self, valve: Valve) -> tuple[Problem, ...]:
-        """Every problem of a valve document; empty if there is none. Nothing is stored."""
+        """Every problem of a valve document; empty if there is none. Nothing is stored.
+
+        >>> client.validate_valve(valve), client.validate_valve(valve.to_json() | {"faces": []})[0].path
+        ((), '/faces')
+        """
         return tuple(map(Problem.from_json, self._post("/v1/valves:validate", valve_document(valve))["problems"]))
 
     def keep_plan(self, valve: Valve, plan: PlanSource, name: str) -> KeptPlan:
         """Keeps a plan that is possible on the valve, which is stored if it is a document; the page lists it, too.
+
+        >>> client.keep_plan("human-functional-mr", plan, "ring of 36 mm").name
+        'ring of 36 mm'
 
         :param name: one line, at most 200 bytes
         :raises Conflict: there are as many as the service keeps
@@ -104,15 +143,31 @@ class StoredWork(ShortWork):
         return KeptPlan.from_json(self._ask("/v1/kept-plans", of, repair_of(plan, name=name)).json())
 
     def kept_plans(self, valve: str | StoredValve | None = None) -> Iterator[KeptPlan]:
-        """Kept plans, newest first; only those of a valve, by the id or preset's name that they were kept for."""
+        """Kept plans, newest first; only those of a valve, by the id or preset's name that they were kept for.
+
+        >>> kept = client.keep_plan("human-functional-mr", plan, "ring of 36 mm")
+        >>> kept in client.kept_plans("human-functional-mr")
+        True
+        """
         query = given(valve=None if valve is None else valve_document(valve))
         yield from map(KeptPlan.from_json, self._listed("/v1/kept-plans", "kept_plans", query))
 
     def rename_kept_plan(self, id: str, name: str) -> KeptPlan:
-        """:raises NotFound: there is none of this id"""
+        """
+        >>> kept = client.keep_plan("human-functional-mr", plan, "ring of 36 mm")
+        >>> client.rename_kept_plan(kept.id, "ring").name
+        'ring'
+
+        :raises NotFound: there is none of this id
+        """
         answer = self._transport.request("PATCH", path_of("/v1/kept-plans", id), {"name": name})
         return KeptPlan.from_json(answer.json())
 
     def delete_kept_plan(self, id: str) -> None:
-        """:raises NotFound: there is none of this id"""
+        """
+        >>> kept = client.keep_plan("human-functional-mr", plan, "ring of 36 mm")
+        >>> client.delete_kept_plan(kept.id)
+
+        :raises NotFound: there is none of this id
+        """
         self._transport.request("DELETE", path_of("/v1/kept-plans", id))

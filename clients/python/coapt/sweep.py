@@ -60,12 +60,20 @@ class SweepItem(tables.Short):
 
     @property
     def trusted(self) -> bool:
-        """Whether there is a reliable closure."""
+        """Whether there is a reliable closure.
+
+        >>> [item.trusted for item in client.map(["human-normal", "no-such-valve"])]
+        [True, False]
+        """
         return self.closure is not None and self.closure.trusted
 
     @property
     def problem(self) -> str:
-        """The error in words; empty: there is none."""
+        """The error in words; empty: there is none.
+
+        >>> [item.problem.splitlines()[0] for item in client.map(["no-such-valve"])]
+        ['422 Unprocessable content']
+        """
         return "" if self.error is None else str(self.error)
 
 
@@ -96,7 +104,11 @@ class Sweep:
 
     def to_frame(self) -> pandas.DataFrame:
         """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error, and the plan's
-        steps: "annuloplasty_size_mm", "neochorda_1_length_mm" and so on."""
+        steps: "annuloplasty_size_mm", "neochorda_1_length_mm" and so on.
+
+        >>> client.map("human-normal", [Plan(), plan]).to_frame()["plan"].tolist()
+        ['plan 1', 'plan 2']
+        """
         items = list(self)
         return frames.with_steps(frames.table(items, COLUMNS), (self._plans[item.plan_number][1] for item in items))
 

@@ -1,17 +1,15 @@
 #include "clients/python/engine/local_valve.h"
 
-#include <chrono>
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include "clients/python/engine/problems.h"
-#include "core/closure/closure.h"
-#include "core/repair/apply_plan.h"
 #include "core/valve/validate.h"
 #include "io/json/parse_json.h"
-#include "io/json/plan_json.h"
 #include "io/json/repair_answers.h"
 #include "io/json/valve_json.h"
-#include "search/plans/gates.h"
+#include "operations/table.h"
 
 namespace coapt {
 
@@ -46,28 +44,19 @@ LocalValve with_material(const LocalValve& valve, std::string_view material) {
       with_material(*valve.valve, taken(parse_material(material), "/material")), "/material"))};
 }
 
-LocalClosure close_locally(const LocalValve& valve, std::string_view plan,
-                           std::string_view material) {
-  LocalClosure closed{.valve = valve.valve, .repaired = valve.valve};
-  if (!material.empty()) closed.valve = with_material(valve, material).valve;
-  closed.repaired = closed.valve;
-  if (!plan.empty()) {
-    closed.plan = taken(read_plan(plan), "/plan");
-    closed.repaired =
-        std::make_shared<const Valve>(taken(apply_plan(*closed.valve, closed.plan), "/plan"));
-  }
-  const auto start = std::chrono::steady_clock::now();
-  closed.closure = close_valve(*closed.repaired);
-  closed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  closed.measure = measure(*closed.repaired, closed.closure);
-  closed.warnings = warnings_of(operation_gates({closed.plan, *closed.valve, *closed.repaired}));
-  return closed;
+LocalClosure close_locally(const LocalValve& valve, std::string_view request) {
+  Json asked = taken(parse_json(request));
+  asked["valve"] = "this one";
+  Context context;
+  context.valve_named = [&valve](const std::string&) -> Expected<Valve> { return *valve.valve; };
+  std::optional<ClosedValve> closed;
+  context.closed = [&closed](const ClosedValve& made) { closed = made; };
+  OperationAnswer answer = taken(taken(read_close(asked, context)).run(context));
+  return {*std::move(closed), std::get<Json>(std::move(answer))};
 }
 
 std::string document_of(const LocalClosure& closed) {
-  Json json = closure_answer({*closed.valve, closed.plan, *closed.repaired}, closed.closure,
-                             closed.measure, closed.seconds);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return closed.answer.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace coapt

@@ -4,12 +4,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "core/closure/closure_result.h"
-#include "core/metrics/measure.h"
-#include "core/repair/plan.h"
-#include "core/valve/valve.h"
+#include "core/closed/closed_valve.h"
+#include "io/json/json.h"
 
 namespace coapt {
 
@@ -31,23 +28,17 @@ LocalValve with_arrays(const LocalValve& valve, const NewArrays& arrays);
 /// With `material` (an object of material_table()'s names) in place of its own. Throws Problems, whose paths begin with "/material".
 LocalValve with_material(const LocalValve& valve, std::string_view material);
 
-/// A closure that Python holds, with all that it was made of; not null.
+/// A closure that Python holds.
 struct LocalClosure {
-  std::shared_ptr<const Valve> valve, repaired;  ///< the same without a plan
-  RepairPlan plan{};
-  ClosureResult closure{};
-  ValveMeasure measure{};
-  double seconds = 0.0;                 ///< of closing
-  std::vector<std::string> warnings{};  ///< as in coapt.closure/2
+  ClosedValve closed;
+  Json answer;  ///< coapt.closure/2
 };
 
-/// Closes the valve, repaired if `plan` (a coapt.plan/1) is not empty and with `material` (an object of material_table()'s names) if
-/// that is not, and measures it: the service's closure, to the bit. Throws Problems, whose paths begin with "/plan" or "/material".
-/// From many threads at once.
-LocalClosure close_locally(const LocalValve& valve, std::string_view plan,
-                           std::string_view material);
+/// Closes the valve and measures it as `POST /v1/closures` does, to the bit; `request` has its fields without "valve": "plan",
+/// "material", "accuracy_mm2", ... Throws Problems. From many threads at once.
+LocalClosure close_locally(const LocalValve& valve, std::string_view request);
 
-/// What the service answers of it (POST /v1/closures).
+/// What the service answers of it.
 std::string document_of(const LocalClosure& closed);
 
 }  // namespace coapt

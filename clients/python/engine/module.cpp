@@ -18,12 +18,11 @@
 #include <vector>
 
 #include "clients/python/engine/arrays.h"
+#include "clients/python/engine/fields.h"
 #include "clients/python/engine/local_service.h"
 #include "clients/python/engine/problems.h"
 #include "clients/python/engine/shapes.h"
 #include "clients/python/engine/space.h"
-#include "core/metrics/loads.h"
-#include "core/metrics/shape_comparison.h"
 #include "io/json/valve_json.h"
 #include "search/plans/plan_order.h"
 
@@ -136,41 +135,13 @@ py::tuple figures_of(const ValveMeasure& measured) {
 }
 
 /// Arguments of coapt.closures.Closure: name, status, crossing, residual, steps, seconds, figures, warnings.
-py::tuple told(const LocalClosure& closed) {
+py::tuple told(const LocalClosure& made) {
+  const auto& [closed, answer] = made;
   const ClosureResult& closure = closed.closure;
-  return py::make_tuple(closed.repaired->name, to_string(closure.status), closure.crossing,
-                        known(closure.residual), closure.steps, closed.seconds,
-                        figures_of(closed.measure), py::tuple(py::cast(closed.warnings)));
-}
-
-/// Arrays of coapt.closures.Fields: strain, contact, segments, chordae, tension_n; empty: it diverged.
-py::dict fields_of(const LocalClosure& closed) {
-  const Valve& valve = *closed.repaired;
-  const Points& closed_mm = closed.closure.closed_mm;
-  py::dict fields;
-  if (!closed_mm.allFinite()) return fields;
-  const std::vector<FaceStrain> strains = face_strains(valve, closed_mm);
-  py::array_t<double> strain({std::ssize(strains), std::ptrdiff_t{2}});
-  for (std::ptrdiff_t f = 0; f < std::ssize(strains); ++f) {
-    strain.mutable_at(f, 0) = strains[static_cast<std::size_t>(f)].circumferential;
-    strain.mutable_at(f, 1) = strains[static_cast<std::size_t>(f)].radial;
-  }
-  fields["strain"] = strain;
-  fields["contact"] = nodes_in_contact({closed_mm, valve.faces, {}, {}},
-                                       kContactThicknesses * valve.tissue.thickness_mm);
-  py::list segments, chordae, tensions;
-  for (const Segment segment : valve.segments) segments.append(to_string(segment));
-  for (std::size_t c = 0; c < valve.chordae.size(); ++c) {
-    double at_head = 0.0;
-    for (std::size_t s = 0; s < valve.chordae[c].segments.size(); ++s)
-      if (valve.chordae[c].segments[s].parent < 0) at_head += closed.closure.tension_n[c][s];
-    chordae.append(valve.chordae[c].id);
-    tensions.append(at_head);
-  }
-  fields["segments"] = segments;
-  fields["chordae"] = chordae;
-  fields["tension_n"] = tensions;
-  return fields;
+  return py::make_tuple(closed.valve.name, to_string(closure.status), closure.crossing,
+                        known(closure.residual), closure.steps, answer["seconds"].get<double>(),
+                        figures_of(closed.measure),
+                        py::tuple(py::cast(answer["warnings"].get<std::vector<std::string>>())));
 }
 
 void add_valves(py::module_& module) {
@@ -215,9 +186,9 @@ void add_valves(py::module_& module) {
             return with_material(self, material);
           },
           py::arg("material"), Unlocked())
-      .def("close", &close_locally, py::arg("plan"), py::arg("material"), Unlocked());
+      .def("close", &close_locally, py::arg("request"), Unlocked());
   py::class_<LocalClosure>(module, "Closure")
-      .def("fields", &fields_of)
+      .def("fields", [](const LocalClosure& self) { return fields_of(self.closed); })
       .def(
           "file",
           [](const LocalClosure& self, const std::string& path, bool open) {
@@ -233,11 +204,11 @@ void add_valves(py::module_& module) {
       .def("told", &told)
       .def_property_readonly("closed_mm",
                              [](const py::object& self) {
-                               return view(self.cast<const LocalClosure&>().closure.closed_mm,
-                                           self);
+                               return view(
+                                   self.cast<const LocalClosure&>().closed.closure.closed_mm, self);
                              })
       .def_property_readonly("faces", [](const py::object& self) {
-        return view(self.cast<const LocalClosure&>().repaired->faces, self);
+        return view(self.cast<const LocalClosure&>().closed.valve.faces, self);
       });
 }
 

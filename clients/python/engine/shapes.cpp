@@ -39,12 +39,11 @@ FitUnknowns unknowns_of(const std::vector<std::string>& known) {
 }  // namespace
 
 LocalShape shape_of(const LocalClosure& closed) {
-  const Valve& valve = *closed.repaired;
-  if (!closed.closure.closed_mm.allFinite())
+  const Valve& valve = closed.closed.valve;
+  if (!closed.closed.closure.closed_mm.allFinite())
     throw Problems({{ErrorCode::BadGeometry, "",
                      "diverged during closure; there is no closed shape to compare"}});
-  return {valve.name, shape_of(ClosedValve{valve, closed.closure, closed.measure}),
-          valve.tissue.thickness_mm};
+  return {valve.name, shape_of(closed.closed), valve.tissue.thickness_mm};
 }
 
 LocalShape shape_of(std::string source, const Points& vertices_mm, const Faces& faces) {
@@ -65,9 +64,7 @@ std::string file_of(const LocalClosure& closed, const std::string& path, bool op
   const FileFormat* const known = format_of_path(path);
   if (known == nullptr)
     throw Problems({{ErrorCode::Unsupported, "", path + " must end in one of " + format_names()}});
-  const ClosedValve repaired{*closed.repaired, closed.closure, closed.measure};
-  return taken(
-      write_valve_file(with_repair(repaired, *closed.valve, closed.plan), *known, {.open = open}));
+  return taken(write_valve_file(closed.closed, *known, {.open = open}));
 }
 
 TriangleMesh mesh_of_file(std::string_view bytes, const std::string& format) {

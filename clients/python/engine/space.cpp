@@ -141,7 +141,7 @@ std::string plan_at(const LocalSpace& space, int branch, const LatticePoint& at)
 
 std::vector<double> place_at(const LocalSpace& space, int branch, const LatticePoint& at) {
   const RepairPlan plan = checked_plan(space, branch, at);
-  const Expected<Valve> repaired = apply_plan(*space.valve, plan);
+  const Expected<Valve> repaired = apply_plan(*space.valve, plan, space.space->coordinates());
   if (!repaired) return {};
   const Eigen::VectorXd place = place_of(*repaired, plan);
   return {place.begin(), place.end()};
