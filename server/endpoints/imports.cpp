@@ -17,7 +17,7 @@ Answer read(const ImportReader& reader, ImportStep step, const Request& request,
 }  // namespace
 
 Answer ImportValve::operator()(const Request& request) const {
-  return answer_in_turn(compute, reader.limits, request, TurnCost::Long, [&](Context& context) {
+  return answer_in_turn(compute, reader.limits, request, kImport_s, [&](Context& context) {
     Answer answer = read(reader, ImportStep::Valve, request, context);
     if (answer.status != 200) return answer;
     const Expected<ImportedValve> made = import_from(answer_document(answer));
@@ -31,7 +31,7 @@ Answer PostImports::operator()(const Request& request) const {
   std::optional<Valve> valve;
   bool has_fit = false;
   const Answer refused =
-      answer_in_turn(compute, reader.limits, request, TurnCost::Long, [&](Context& context) {
+      answer_in_turn(compute, reader.limits, request, kImport_s, [&](Context& context) {
         Answer answer = read(reader, ImportStep::Submission, request, context);
         if (answer.status != 200) return answer;
         const Json document = answer_document(answer);
@@ -48,7 +48,7 @@ Answer PostImports::operator()(const Request& request) const {
 }
 
 Answer PreviewImport::operator()(const Request& request) const {
-  return answer_in_turn(compute, reader.limits, request, TurnCost::Long, [&](Context& context) {
+  return answer_in_turn(compute, reader.limits, request, kImport_s, [&](Context& context) {
     return read(reader, ImportStep::Preview, request, context);
   });
 }
