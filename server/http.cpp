@@ -11,7 +11,6 @@
 
 #include "server/client_of.h"
 #include "server/cors.h"
-#include "server/form_body.h"
 #include "server/header_block.h"
 #include "server/header_gate.h"
 #include "server/httplib_adapter.h"
@@ -115,11 +114,6 @@ Answer HttpServer::Inside::full_answer(Request& request, BodySource& body, const
     const MayRunOut hungry;
     if (std::optional<Answer> refusal = read_body(body, limits, request.body))
       return *std::move(refusal);
-    if (const std::string type = field(body.header, "content-type"); is_form(type)) {
-      Expected<std::string> json = json_of_form(request.body, type);
-      if (!json) return problem(400, json.errors());
-      request.body = *std::move(json);
-    }
   }
   return counted(route->endpoint(request));
 }

@@ -35,7 +35,7 @@ struct Route {
   std::string_view method;
   std::string_view path;  ///< {NAME} stands for one or more characters up to the next '/' or ':'
   Endpoint endpoint;
-  bool takes_form = false;  ///< also multipart/form-data, handed over as JSON (form_body.h)
+  bool takes_form = false;  ///< also multipart/form-data, handed over as it came
 };
 using Routes = std::vector<Route>;
 
