@@ -174,10 +174,11 @@ figures: programs lab  ## the tables behind the documents, into docs/figures
 bench: lab  ## time of the parts of a closure, and of whole ones against method thesis
 	$(BIN)/closure_benchmark
 
-bench-server: programs  ## what the service adds to a closure, watching jobs under load, hostile requests
+bench-server: programs  ## what the service adds to a closure, watching jobs under load, attacks, hostile requests
 	@cmake/install_packages.sh test bench
 	lab/service/closures.py
 	lab/service/jobs_under_load.py
+	lab/service/crowded.py
 	tests/service/hostile.py --requests 1000 --seconds 180
 
 instructions: lab  ## machine instructions of a closure by function, where clocks are noisy

@@ -27,11 +27,11 @@ Answer store_problem(const Errors& told) {
   }
 }
 
-Answer retry_later(int status, const std::string& why) {
-  return problem(status, ErrorCode::Busy, why);
+Answer retry_later(int status, const std::string& why, int seconds) {
+  Answer answer = problem(status, ErrorCode::Busy, why);
+  if (seconds > 0) answer.headers.emplace_back("Retry-After", std::to_string(seconds));
+  return answer;
 }
-
-Answer too_busy() { return retry_later(503, "all cores are busy with other closures"); }
 
 Answer not_found(const std::string& what) {
   return problem(404, ErrorCode::BadReference, "there is no such " + what);

@@ -41,7 +41,10 @@ bool add_field(std::string_view line, std::map<std::string, std::string>& fields
   for (char& c : name) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  const bool is_new = fields.emplace(name, without_ows(line.substr(colon + 1))).second;
+  const std::string_view value = without_ows(line.substr(colon + 1));
+  const auto [place, is_new] = fields.emplace(name, value);
+  // A proxy may add its word as a line of its own: it is the last of one list (RFC 9110, 5.3).
+  if (!is_new && name == "x-forwarded-for") place->second.append(",").append(value);
   constexpr std::array<std::string_view, 3> kOnce = {"host", "content-length", "transfer-encoding"};
   return is_new || std::find(kOnce.begin(), kOnce.end(), name) == kOnce.end();
 }

@@ -10,8 +10,9 @@
 namespace coapt {
 
 struct HeaderBlock {
-  std::string request_line;                   ///< without its end
-  std::map<std::string, std::string> fields;  ///< names in lower case; the first of each
+  std::string request_line;  ///< without its end
+  std::map<std::string, std::string>
+      fields;  ///< names in lower case; the first of each, X-Forwarded-For joined
 };
 
 /// What has no place in a header or the line of a chunk's size: control characters but the tab.

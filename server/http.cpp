@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "server/client_of.h"
 #include "server/cors.h"
-#include "server/form_body.h"
 #include "server/header_block.h"
 #include "server/header_gate.h"
 #include "server/httplib_adapter.h"
@@ -48,7 +48,8 @@ struct HttpServer::Inside {
          Observe their_observe);
 
   void admit(Arrival arrival);
-  std::string serve(Connection& connection, std::string_view header_bytes, Clock::time_point since);
+  std::string serve(Connection& connection, std::string_view header_bytes,
+                    const std::string& client, Clock::time_point since);
   Answer answer(Request& request, BodySource& body, const Route*& route);
   Answer full_answer(Request& request, BodySource& body, const Route*& route);
   Answer counted(Answer answer);
@@ -113,11 +114,6 @@ Answer HttpServer::Inside::full_answer(Request& request, BodySource& body, const
     const MayRunOut hungry;
     if (std::optional<Answer> refusal = read_body(body, limits, request.body))
       return *std::move(refusal);
-    if (const std::string type = field(body.header, "content-type"); is_form(type)) {
-      Expected<std::string> json = json_of_form(request.body, type);
-      if (!json) return problem(400, json.errors());
-      request.body = *std::move(json);
-    }
   }
   return counted(route->endpoint(request));
 }
@@ -134,15 +130,18 @@ Answer HttpServer::Inside::counted(Answer answer) {
 
 void HttpServer::Inside::admit(Arrival arrival) {
   const bool body = brings_body(arrival.bytes);
+  const std::string client = client_of(
+      arrival.socket.number(),
+      limits.behind_proxy ? std::string_view(arrival.bytes).substr(0, arrival.header_bytes) : "");
   // std::function wants what can be copied.
   const auto shared = std::make_shared<Arrival>(std::move(arrival));
-  workers.add(body, [this, shared] {
+  workers.add(body, client, [this, shared, client] {
     const std::string header = shared->bytes.substr(0, shared->header_bytes);
     Connection connection(std::move(shared->socket), shared->bytes.substr(shared->header_bytes),
                           gate.given_up());
     std::string answer;
     try {
-      answer = serve(connection, header, shared->since);
+      answer = serve(connection, header, client, shared->since);
     } catch (...) {
       // Out of memory, for instance: the client gets an end without an answer, the others are served.
     }
@@ -153,7 +152,7 @@ void HttpServer::Inside::admit(Arrival arrival) {
 
 /// The answer, as far as it has not been sent.
 std::string HttpServer::Inside::serve(Connection& connection, std::string_view header_bytes,
-                                      Clock::time_point since) {
+                                      const std::string& client, Clock::time_point since) {
   const std::optional<HeaderBlock> header = parse_header(header_bytes);
   if (!header) {
     observe({"other", "none", 400, 0.0});
@@ -169,6 +168,7 @@ std::string HttpServer::Inside::serve(Connection& connection, std::string_view h
   wire.wants_more = [&] { return !stopping && !connection.client_gone(); };
   Served served = serve_request(wire, [&](Request request, const ReadBody& read) {
     method = method_name(request.method);
+    request.client = client;
     body.decoded = read;
     return answer(request, body, route);
   });

@@ -16,7 +16,8 @@ struct HttpLimits {
       1024;  ///< at once; those over it push out the one that waits longest for its headers
   int requests =
       128;  ///< answered at once, streams among them, the others wait; with a body, half as many
-  int streams = 32;  ///< open at once, over it 503
+  int streams = 32;           ///< open at once, over it 503
+  bool behind_proxy = false;  ///< clients are told apart by the last address in X-Forwarded-For
 };
 
 }  // namespace coapt

@@ -59,20 +59,25 @@ std::size_t most_values(const ServiceLimits& limits) {
          kOfAChorda * static_cast<std::size_t>(limits.chordae) + kOther;
 }
 
-std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+double reading_seconds(const Request& request) {
+  constexpr double kOfAMebibyte_s = 0.05;
+  return 1e-3 + kOfAMebibyte_s * static_cast<double>(request.body.size()) / (1 << 20);
+}
+
+std::optional<Answer> read_body(const ValveSource& source, const Request& request,
                                 const std::function<Errors(const Json&)>& read) {
-  const Compute::Turn turn(source.parsing);
-  if (!turn) return retry_later(503, "too many requests are being read");
+  Compute::Turn turn(source.parsing, {reading_seconds(request), request.client});
+  if (!turn) return retry_later(503, "too many requests are being read", turn.retry_after_s());
   const MayRunOut hungry;
-  const Document request{parse_json(body, most_values(source.limits))};
-  if (!request.json) return problem(400, request.json.errors());
-  if (const Errors errors = read(*request.json); !errors.empty()) return problem(422, errors);
+  const Document document{parse_json(request.body, most_values(source.limits))};
+  if (!document.json) return problem(400, document.json.errors());
+  if (const Errors errors = read(*document.json); !errors.empty()) return problem(422, errors);
   return std::nullopt;
 }
 
-std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+std::optional<Answer> read_body(const ValveSource& source, const Request& request,
                                 const std::vector<JsonField>& fields) {
-  return read_body(source, body, [&fields](const Json& document) {
+  return read_body(source, request, [&fields](const Json& document) {
     ProblemList problems;
     read_fields({document, problems}, fields);
     return std::move(problems).take();

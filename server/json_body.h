@@ -11,6 +11,7 @@
 #include "server/answer.h"
 #include "server/compute.h"
 #include "server/limits.h"
+#include "server/route.h"
 #include "server/valve_cache.h"
 
 namespace coapt {
@@ -35,11 +36,14 @@ std::size_t most_values(const ServiceLimits& limits);
 
 /// Reads an object of these fields. What is wrong with it, if anything: 400 if it is no JSON, else 422 with
 /// every problem; 503 if too many are read at once.
-std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+std::optional<Answer> read_body(const ValveSource& source, const Request& request,
                                 const std::vector<JsonField>& fields);
 
 /// The same for what `read` makes of the document: 422 with what it says against it.
-std::optional<Answer> read_body(const ValveSource& source, std::string_view body,
+std::optional<Answer> read_body(const ValveSource& source, const Request& request,
                                 const std::function<Errors(const Json&)>& read);
+
+/// How long a body takes to be read, in seconds, roughly.
+double reading_seconds(const Request& request);
 
 }  // namespace coapt

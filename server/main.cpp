@@ -134,7 +134,8 @@ int serve(const ServerOptions& options, const Access& access, const ReaderProces
 
   Metrics metrics;
   ValveCache known;
-  Compute parsing, compute;
+  Compute parsing;
+  Compute compute(options.service.request_seconds);
   SearchReports reports;
   FarmWatch farm(options.farm.empty() ? std::nullopt : std::optional(farm_at(options.farm)));
   const PageTokens tokens;

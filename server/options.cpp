@@ -1,6 +1,7 @@
 #include "server/options.h"
 
 #include "server/jobs/job_board.h"
+#include "server/workers.h"
 
 namespace coapt {
 namespace {
@@ -99,6 +100,9 @@ void add_options(Command app, ServerOptions& options) {
   app.add_option(
       "--web", options.web,
       "Folder of the web page (default: build/web, or share/coapt/web of an installation)");
+  app.add_flag("--behind-proxy", options.http.behind_proxy,
+               "Tell clients apart by the last address in X-Forwarded-For, which a proxy in front "
+               "of the server must set; requests of different clients alternate");
   app.add_flag("--log-requests", options.log_requests,
                "Log each request on standard error: method, route, status, milliseconds");
   add_http_limits(app, options.http);
@@ -115,12 +119,16 @@ Errors check_together(const ServerOptions& options) {
     refuse("--streams is " + std::to_string(http.streams) + ", must be at most " +
            std::to_string(http.requests / 2) +
            ", half of --requests, because each stream occupies a thread that answers requests");
-  if (options.service.wait_seconds > 0 && http.requests / 2 <= JobBoard::kMostWaiting)
-    refuse(
-        "--requests is " + std::to_string(http.requests) + ", must be at least " +
-        std::to_string(2 * JobBoard::kMostWaiting + 2) +
-        " where clients may wait for jobs: half of the threads answer requests with a body, and " +
-        std::to_string(JobBoard::kMostWaiting) + " may wait (or --wait-seconds 0)");
+  if (options.service.wait_seconds > 0 &&
+      Workers::most_of_one_client(http.requests) <= JobBoard::kMostWaiting) {
+    int least = http.requests;
+    while (Workers::most_of_one_client(least) <= JobBoard::kMostWaiting) ++least;
+    refuse("--requests is " + std::to_string(http.requests) + ", must be at least " +
+           std::to_string(least) +
+           " where clients may wait for jobs: seven sixteenths of the threads answer requests of "
+           "one client with a body, and " +
+           std::to_string(JobBoard::kMostWaiting) + " may wait (or --wait-seconds 0)");
+  }
   return errors;
 }
 

@@ -158,6 +158,23 @@ std::optional<Ends> next_ends(int control, Order& order) {
   }
 }
 
+/// Until nobody can ask any more, which ends the template by itself.
+[[noreturn]] void keep_a_template(int control, std::size_t bytes,
+                                  const ReaderProcesses::Work& work) {
+  prctl(PR_SET_NAME, "coapt-keeper");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  for (;;) {
+    const pid_t child = fork();
+    if (child == 0) serve_as_template(control, bytes, work);
+    int status = 0;
+    if (child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status)) _exit(0);
+    if (child > 0)
+      std::cerr << "coapt-server: the process that forks readers of clients' files ended by signal "
+                << WTERMSIG(status) << "; it is started again\n";
+    usleep(1000 * kPause_ms);
+  }
+}
+
 // ---- Whoever asks
 
 /// Two ends that are joined; none where there are no more descriptors.
@@ -211,18 +228,18 @@ ReaderProcesses::ReaderProcesses(Work work, std::size_t bytes,
   Ends ends{};
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return;
   control_ = Descriptor(ends[0]);
-  template_ = fork();
-  if (template_ == 0) {
+  keeper_ = fork();
+  if (keeper_ == 0) {
     close(ends[0]);
     if (prepare) prepare();
-    serve_as_template(ends[1], bytes, work);
+    keep_a_template(ends[1], bytes, work);
   }
   close(ends[1]);
 }
 
 ReaderProcesses::~ReaderProcesses() {
   control_ = Descriptor();
-  if (template_ > 0) waitpid(template_, nullptr, 0);
+  if (keeper_ > 0) waitpid(keeper_, nullptr, 0);
 }
 
 ReaderProcesses::Result ReaderProcesses::ask(std::string_view question, const Order& order,

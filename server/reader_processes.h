@@ -1,11 +1,12 @@
 // What strangers sent is read in processes of their own: one for each question, in a sandbox (sandbox.h), gone with its answer. A
 // fault of a reader, or memory without end, is then one client's problem.
 //
-//   this process -- control --> template, forked before any thread --> a process a question
-//        |__________________ question, answer __________________________________|
+//   this process, keeper -- control --> template --> a process a question
+//        |__________________ question, answer ____________|
 //
-// The template is small, so that a fork takes less than a millisecond. Whoever asks holds a leash: when it lets go, whatever the
-// reason, kill -9 included, the kernel ends the process that answers.
+// The keeper is forked before any thread, and forks the template again should the system end it. The template is small, so that a
+// fork takes less than a millisecond. Whoever asks holds a leash: when it lets go, whatever the reason, kill -9 included, the kernel
+// ends the process that answers.
 #pragma once
 
 #include <sys/types.h>
@@ -24,8 +25,8 @@ class ReaderProcesses {
   /// From a question to its answer, by itself: nothing that it changes is seen elsewhere.
   using Work = std::function<std::string(std::string_view)>;
 
-  /// Forks the template. @pre there is no other thread yet, and nothing secret in memory. @param bytes of address space of a
-  /// process. @param prepare what needs files, done once in the template
+  /// Forks the keeper. @pre there is no other thread yet, and nothing secret in memory. @param bytes of address space of a
+  /// process. @param prepare what needs files, done once before the template is forked
   ReaderProcesses(Work work, std::size_t bytes, const std::function<void()>& prepare = {});
   ~ReaderProcesses();
   ReaderProcesses(const ReaderProcesses&) = delete;
@@ -54,7 +55,7 @@ class ReaderProcesses {
 
  private:
   Descriptor control_;
-  pid_t template_ = -1;
+  pid_t keeper_ = -1;
 };
 
 }  // namespace coapt

@@ -19,6 +19,8 @@ struct Request {
   std::map<std::string, std::string> headers;  ///< names in lower case; the first of each
   std::string body;
   std::vector<std::string> parameters;  ///< what the {...} of the route matched, in order
+  std::string client =
+      {};  ///< who asks, as far as turns go (client_of()); all alike where it is empty
   /// Whether nobody waits for the answer any more; empty: somebody does.
   std::function<bool()> abandoned = {};
 };
@@ -33,7 +35,7 @@ struct Route {
   std::string_view method;
   std::string_view path;  ///< {NAME} stands for one or more characters up to the next '/' or ':'
   Endpoint endpoint;
-  bool takes_form = false;  ///< also multipart/form-data, handed over as JSON (form_body.h)
+  bool takes_form = false;  ///< also multipart/form-data, handed over as it came
 };
 using Routes = std::vector<Route>;
 

@@ -4,8 +4,18 @@
 #include <utility>
 
 namespace coapt {
+namespace {
 
-Workers::Workers(int threads) : most_with_body_(std::max(threads / 2, 1)) {
+int most_with_body(int threads) { return std::max(threads / 2, 1); }
+
+}  // namespace
+
+int Workers::most_of_one_client(int threads) {
+  return most_with_body(threads) - most_with_body(threads) / 8;
+}
+
+Workers::Workers(int threads)
+    : most_with_body_(most_with_body(threads)), most_of_one_(most_of_one_client(threads)) {
   try {
     for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { serve(); });
   } catch (...) {  // no more threads can be had
@@ -25,10 +35,11 @@ void Workers::end() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Workers::add(bool with_body, std::function<void()> work) {
+void Workers::add(bool with_body, const std::string& client, std::function<void()> work) {
   {
     const std::lock_guard lock(mutex_);
-    (with_body ? with_body_ : plain_).push_back({++added_, std::move(work)});
+    waiting_.push_back({with_body, client, std::move(work)});
+    rounds_.came(client);
   }
   changed_.notify_one();
 }
@@ -38,33 +49,48 @@ int Workers::busy() const {
   return busy_;
 }
 
-std::deque<Workers::Waiting>* Workers::next_queue() {
-  const bool body = !with_body_.empty() && busy_with_body_ < most_with_body_;
-  if (body && (plain_.empty() || with_body_.front().number < plain_.front().number))
-    return &with_body_;
-  return plain_.empty() ? nullptr : &plain_;
+/// Of those that may run the first of the client whose turn it is.
+Workers::Place Workers::next() {
+  Place best = waiting_.end();
+  for (Place place = waiting_.begin(); place != waiting_.end(); ++place) {
+    if (place->with_body &&
+        (busy_with_body_ >= most_with_body_ ||
+         (bodies_.contains(place->client) && bodies_.at(place->client) >= most_of_one_)))
+      continue;
+    if (best == waiting_.end() ||
+        rounds_.last_turn(place->client) < rounds_.last_turn(best->client))
+      best = place;
+  }
+  return best;
 }
 
 void Workers::serve() {
   std::unique_lock lock(mutex_);
   while (true) {
-    std::deque<Waiting>* queue = next_queue();
-    if (queue == nullptr) {
-      if (ending_ && with_body_.empty()) return;
+    const Place place = next();
+    if (place == waiting_.end()) {
+      if (ending_ && waiting_.empty()) return;
       changed_.wait(lock);
       continue;
     }
-    const int body = queue == &with_body_ ? 1 : 0;
-    std::function<void()> work = std::move(queue->front().work);
-    queue->pop_front();
+    Waiting begun = std::move(*place);
+    waiting_.erase(place);
+    rounds_.begins(begun.client);
     ++busy_;
-    busy_with_body_ += body;
+    if (begun.with_body) {
+      ++busy_with_body_;
+      ++bodies_[begun.client];
+    }
     lock.unlock();
-    work();
-    work = nullptr;
+    begun.work();
+    begun.work = nullptr;
     lock.lock();
     --busy_;
-    busy_with_body_ -= body;
+    if (begun.with_body) {
+      --busy_with_body_;
+      if (--bodies_[begun.client] == 0) bodies_.erase(begun.client);
+    }
+    rounds_.left(begun.client);
     // This thread looks again itself; those that wait to end must see that a queue may have emptied.
     if (ending_) changed_.notify_all();
   }

@@ -11,6 +11,7 @@
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "core/valve/patient_frame.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
@@ -121,7 +122,8 @@ void print_shape(std::ostream& out, const char* label, const Json& shape) {
   line(out, label) << shape["nodes"] << " nodes, " << fixed(shape["area_mm2"], 1) << " mm2 (";
   const char* comma = "";
   for (const Json& leaflet : shape["leaflets"]) {
-    out << comma << leaflet["name"].get<std::string>() << ' ' << fixed(leaflet["area_mm2"], 1);
+    out << comma << printable(leaflet["name"].get<std::string>()) << ' '
+        << fixed(leaflet["area_mm2"], 1);
     comma = ", ";
   }
   out << "), " << percent(shape["contact_share"]) << " of nodes in contact\n";

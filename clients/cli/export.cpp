@@ -10,6 +10,7 @@
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "core/valve/number_text.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/exchange/formats.h"
@@ -89,7 +90,7 @@ void note_ties(const ExportArguments& arguments, const Valve& valve) {
   if (valve.ties.empty()) return;
   for (const std::string& path : arguments.outputs)
     if (!is_folder(path) && format_of_path(path)->loses_ties)
-      std::cerr << "coapt: " << path
+      std::cerr << "coapt: " << printable(path)
                 << ": this format does not store the edge-to-edge repair; a valve imported from "
                    "the file lacks it\n";
 }

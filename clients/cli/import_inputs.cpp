@@ -6,6 +6,7 @@
 #include <iostream>
 #include <map>
 
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/dicom/series_geometry.h"
@@ -51,7 +52,7 @@ Expected<std::vector<NamedFile>> read_folder(const std::string& folder) {
 }
 
 int refuse(const std::string& why) {
-  std::cerr << "coapt: valve import: " << why << '\n';
+  std::cerr << "coapt: valve import: " << printable(why) << '\n';
   return exit_code::kBadInput;
 }
 

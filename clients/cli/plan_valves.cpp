@@ -9,6 +9,7 @@
 #include "clients/cli/print_ranked.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
+#include "core/valve/printable.h"
 #include "farm/work/plan_work.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -90,7 +91,7 @@ Expected<std::vector<PlanAnswer>> ask_for(const Asker& asker, const std::vector<
   if (!bytes) return bytes.errors();
   Expected<std::vector<PlanAnswer>> answers = plan_answers(*bytes);
   if (answers && answers->size() != valves.size())
-    return Error{ErrorCode::Unsupported, "",
+    return Error{ErrorCode::InputOutput, "",
                  "the farm returned a different number of results than there are valves"};
   return answers;
 }
@@ -165,7 +166,7 @@ int prepare(const PlanArguments& arguments, const std::vector<GivenValve>& given
   }
   for (const GivenValve& one : given)
     if (const Errors errors = check_search(one.valve, arguments.options); !errors.empty()) {
-      if (several) std::cerr << "coapt: plan: of " << one.argument << ":\n";
+      if (several) std::cerr << "coapt: plan: of " << printable(one.argument) << ":\n";
       return report_search_errors(arguments, errors);
     }
   return exit_code::kOk;
@@ -199,7 +200,7 @@ class PlanFolder {
     if (const int failed = write_plans(arguments_.report, given, answer, plans)) return failed;
     summary_.push_back(summary_row(given.name, plans));
     const std::string& words = summary_.back()[5];
-    std::cout << given.name << ": " << (words.empty() ? "no plan" : words) << '\n';
+    std::cout << printable(given.name) << ": " << (words.empty() ? "no plan" : words) << '\n';
     worst_ = std::max(worst_, exit_code_of_plans(plans));
     return exit_code::kOk;
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/json/subject.h"
@@ -77,7 +78,7 @@ int write_answers_file(const std::string& path, const AnswerSheet& sheet,
   std::error_code failed;
   std::filesystem::rename(part, path, failed);
   if (!failed) return exit_code::kOk;
-  std::cerr << "coapt: " << path << ": cannot be written\n";
+  std::cerr << "coapt: " << printable(path) << ": cannot be written\n";
   return exit_code::kFailure;
 }
 

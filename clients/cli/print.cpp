@@ -214,7 +214,7 @@ void print_closure(std::ostream& out, const Json& closure) {
   if (const auto convergence = closure.find("convergence"); convergence != closure.end())
     print_convergence(out, *convergence);
   for (const Json& warning : closure["warnings"])
-    out << "  ! " << warning.get<std::string>() << '\n';
+    out << "  ! " << printable(warning.get<std::string>()) << '\n';
 }
 
 }  // namespace coapt

@@ -42,7 +42,7 @@ void print_opening(std::ostream& out, const Json& opening) {
         << gradient(opening["gradient_exercise_mmhg"], opening["flow_exercise_ml_s"]) << '\n';
   }
   for (const Json& warning : opening["warnings"])
-    out << "  ! " << warning.get<std::string>() << '\n';
+    out << "  ! " << printable(warning.get<std::string>()) << '\n';
   if (problem.empty())
     out << "coapt is research software, not a medical device; not for clinical decisions.\n";
 }

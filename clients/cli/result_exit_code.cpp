@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "core/closure/standing.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/json/json.h"
 
@@ -15,7 +16,7 @@ int exit_code_of_closure(const Json& closure) {
 
 void note_doubt(const std::string& what, const ClosureResult& closure) {
   if (const std::string doubt = doubt_about(closure); !doubt.empty())
-    std::cerr << "coapt: " + what + ": " + doubt + '\n';
+    std::cerr << "coapt: " + printable(what) + ": " + doubt + '\n';
 }
 
 int exit_code_of_plans(const Json& result) {

@@ -8,6 +8,7 @@
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/progress_bar.h"
@@ -34,7 +35,7 @@ void print_physiology(const Json& physiology) {
     return physiology[name].get<std::string>() +
            (physiology[name + "_judged"].get<bool>() ? " (inferred)" : "");
   };
-  std::cout << physiology["valve"].get<std::string>() << ": " << judged("kind") << ", "
+  std::cout << printable(physiology["valve"].get<std::string>()) << ": " << judged("kind") << ", "
             << judged("species") << "\n\n";
   TableRows table = {{"quantity", "value", "low", "high", "unit", "verdict"}};
   int met = 0, with_range = 0;

@@ -4,6 +4,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/read_argument.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/json/result_json.h"
 
@@ -22,10 +23,10 @@ int run(const ValveCheckArguments& arguments) {
     std::cout << Json{{"problems", to_json(problems)}}.dump(2) << '\n';
   } else {
     for (const Error& problem : problems) {
-      std::cout << (problem.path.empty() ? arguments.valve : problem.path) << ": "
-                << problem.message << '\n';
+      std::cout << printable(problem.path.empty() ? arguments.valve : problem.path) << ": "
+                << printable(problem.message) << '\n';
     }
-    if (problems.empty()) std::cerr << arguments.valve << ": no problems\n";
+    if (problems.empty()) std::cerr << printable(arguments.valve) << ": no problems\n";
   }
   return problems.empty() ? exit_code::kOk : exit_code::kBadInput;
 }

@@ -112,7 +112,7 @@ int run(ValveImportArguments& arguments) {
   if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   if (const int failed = check_output(arguments.picture)) return failed;
   if (const std::string why = misused(arguments); !why.empty()) {
-    std::cerr << "coapt: valve import: " << why << '\n';
+    std::cerr << "coapt: valve import: " << printable(why) << '\n';
     return exit_code::kBadInput;
   }
   if (const Errors errors = check_observed(arguments.observed); !errors.empty())

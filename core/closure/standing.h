@@ -7,7 +7,7 @@
 
 namespace coapt {
 
-/// "NOT TO BE TRUSTED: not at rest, leaflets cross"; empty for a closure that is to be trusted. ASCII of at most 60 letters, which
+/// "UNRELIABLE: not converged, leaflets cross"; empty for a closure that is to be trusted. ASCII of at most 60 letters, which
 /// the header of an STL file has room for.
 std::string doubt_about(const ClosureResult& closure);
 

@@ -135,7 +135,7 @@ Expected<std::vector<PlanAnswer>> plan_answers(std::string_view bytes) {
     PlanAnswer& answer = answers.emplace_back();
     for (std::string* part : {&answer.plans, &answer.material, &answer.tried}) {
       std::optional<std::string> text = take_text(bytes);
-      if (!text) return Error{ErrorCode::Unsupported, "", "an answer with plans is cut off"};
+      if (!text) return Error{ErrorCode::InputOutput, "", "an answer with plans is cut off"};
       *part = *std::move(text);
     }
   }

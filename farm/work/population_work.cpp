@@ -67,7 +67,7 @@ Expected<std::vector<PopulationMember>> member_answers(std::string_view bytes) {
   std::vector<PopulationMember> members;
   while (!bytes.empty()) {
     const std::optional<std::string> text = take_text(bytes);
-    if (!text) return Error{ErrorCode::Unsupported, "", "an answer with a member is cut off"};
+    if (!text) return Error{ErrorCode::InputOutput, "", "an answer with a member is cut off"};
     const Expected<Json> json = parse_json(*text);
     if (!json) return json.errors();
     const Expected<PopulationMember> one = member_from_json(*json);

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "core/valve/nearest_name.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/json/build.h"
 #include "io/json/version.h"
@@ -48,7 +49,15 @@ void suggest(const CLI::App& program) {
   for (const std::string& word : program.remaining(true))
     if (const std::string meant = did_you_mean(word.substr(0, word.find('=')), names_in(*command));
         !meant.empty())
-      std::cerr << program.get_name() << ": unknown: " << word << meant << '\n';
+      std::cerr << program.get_name() << ": unknown: " << printable(word) << meant << '\n';
+}
+
+/// As CLI11's own, which quotes what was given as it is.
+int exit_with(const CLI::App& program, const CLI::Error& error) {
+  std::stringstream lines;
+  const int code = program.exit(error, std::cout, lines);
+  for (std::string line; std::getline(lines, line);) std::cerr << printable(line) << '\n';
+  return code;
 }
 
 void end_with(CLI::App& command, const std::string& notice) {
@@ -231,12 +240,12 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     // CLI11 says what is missing before what it does not know, such as a misspelt command.
     const std::vector<std::string> unknown = app_->remaining(true);
     if (!unknown.empty())
-      std::cerr << app_->get_name() << ": unknown: " << unknown.front()
+      std::cerr << app_->get_name() << ": unknown: " << printable(unknown.front())
                 << did_you_mean(unknown.front(), names_in(*app_)) << '\n';
-    app_->exit(error);
+    exit_with(*app_, error);
     return exit_code::kBadInput;
   } catch (const CLI::ParseError& error) {
-    const int code = app_->exit(error);
+    const int code = exit_with(*app_, error);
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) suggest(*app_);
     return code == 0 ? 0 : exit_code::kBadInput;
   }

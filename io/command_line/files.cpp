@@ -31,7 +31,7 @@ Expected<std::string> read_stream(std::istream& stream) {
 }
 
 int report_unwritable(const std::string& path) {
-  std::cerr << "coapt: " << path << ": cannot be written\n";
+  std::cerr << "coapt: " << printable(path) << ": cannot be written\n";
   return exit_code::kFailure;
 }
 

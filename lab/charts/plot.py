@@ -12,6 +12,7 @@ verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
 growth.csv              time of the parts of a closure against the number of triangles
 hostile-memory.csv      memory of the service over the time of `tests/service/hostile.py --curve`
+attacks.csv             waits and memory under attack, in release 0.2 and now
 """
 
 import argparse
@@ -20,6 +21,7 @@ import io
 import pathlib
 import statistics
 
+import attacks
 import front_rise
 import growth
 import mesh
@@ -359,6 +361,7 @@ CHARTS = {
     "front-rise": {"front-rise": front_rise.draw_front_rise},
     "ecdf": {"ecdf": draw_ecdf},
     "hostile-memory": {"hostile-memory": draw_hostile_memory},
+    "attacks": {"attacks": attacks.draw_attacks},
 }
 
 

@@ -1,89 +1,241 @@
 #!/usr/bin/env python3
-"""How long a small closure waits beside clients that close valves of 4,900 vertices, one after the other, and what those get."""
+"""What heavy and hostile clients leave to others: how long a small closure of another address waits beside them, and how much
+memory the service and its processes take; beside the same of release 0.2, into attacks.csv."""
 
+import base64
 import collections
+import csv
+import gzip
 import json
 import pathlib
+import socket
 import subprocess
 import sys
 import tempfile
 import threading
 import time
+import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/service"))
 
-from served import Server, parser_of, percentile, report  # noqa: E402
+from served import SOURCE, Server, parser_of, report  # noqa: E402
+from wire import post  # noqa: E402
+
+SMALL = {"valve": "human-normal"}
+OTHER = "127.0.0.2"  # the address of who is watched
+REAL = SOURCE / "examples/valves/source/bodyparts3d"
 
 
-def beside(server, heavy, clients, seconds, small):
-    """Seconds of each small closure and what the heavy ones were answered with, while so many clients send them."""
-    ended = threading.Event()
-    answers, lock = collections.Counter(), threading.Lock()
+def named(name, content):
+    return {"name": name, "base64": base64.b64encode(content).decode()}
 
-    def press():
-        while not ended.is_set():
+
+def import_of(triangles):
+    """Of a real valve whose chordae are to be drawn: they are closed with it."""
+    leaflets = [
+        named(f"{side}.obj", (REAL / f"{side}_leaflet_sheet.obj").read_bytes()) for side in ("anterior", "posterior")
+    ]
+    annulus = named("annulus.csv", (REAL / "annulus_centerline.csv").read_bytes())
+    return {"leaflets": leaflets, "annulus": annulus, "chordae_seed": 1, "triangles": triangles}
+
+
+def checkerboard(side):
+    """A label map in which every voxel has six neighbours of the other label."""
+    header = f"NRRD0004\ntype: uchar\ndimension: 3\nsizes: {side} {side} {side}\nencoding: gzip\n"
+    header += "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n\n"
+    row = bytes(1 + i % 2 for i in range(side + 1))
+    plane = [b"".join(row[(y + z) % 2 :][:side] for y in range(side)) for z in (0, 1)]
+    voxels = gzip.compress(b"".join(plane[z % 2] for z in range(side)), 9)
+    return {"labels": named("map.nrrd", header.encode() + voxels), "chordae_seed": 1}
+
+
+def repeated_arrays(arrays, megabytes):
+    """A .vtp of many arrays that are the same bytes."""
+    block = zlib.compress(bytes(megabytes << 20), 9)
+    data = b"".join(n.to_bytes(4, "little") for n in (1, megabytes << 20, 0, len(block))) + block
+    lines = "".join(f'<DataArray type="UInt8" Name="a{i}" format="appended" offset="0"/>' for i in range(arrays))
+    head = '<VTKFile type="PolyData" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><PolyData>'
+    head += (
+        f'<Piece NumberOfPoints="3" NumberOfPolys="1"><PointData>{lines}</PointData><Points><DataArray type="Float32" '
+    )
+    head += (
+        'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points><Polys><DataArray type="Int32" '
+    )
+    head += (
+        'Name="connectivity" format="ascii">0 1 2</DataArray><DataArray type="Int32" Name="offsets" format="ascii">3'
+    )
+    head += '</DataArray></Polys></Piece></PolyData><AppendedData encoding="raw">_'
+    return {"leaflets": [named("bomb.vtp", head.encode() + data + b"</AppendedData></VTKFile>")], "chordae_seed": 1}
+
+
+class Attack:
+    """Requests that come again and again, each from a thread of its own, until it ends; what they are answered with."""
+
+    def __init__(self, server, path, body, clients, stays=300.0):
+        self.server, self.answers, self.ended = server, collections.Counter(), threading.Event()
+        text = body if isinstance(body, str) else json.dumps(body)
+        self.threads = [threading.Thread(target=self.press, args=(path, text, stays)) for _ in range(clients)]
+
+    def press(self, path, text, stays):
+        while not self.ended.is_set():
             begin = time.monotonic()
-            status = server.ask("POST", "/v1/closures", heavy).status
-            with lock:
-                answers[status if time.monotonic() - begin > 1.0 or status == 200 else f"{status} at once"] += 1
+            try:
+                status = self.server.ask("POST", path, text, seconds=stays).status
+            except TimeoutError:
+                status = "left"
+            late = time.monotonic() - begin > 1.0
+            self.answers[f"{status} at once" if status == 503 and not late else str(status)] += 1
             if status == 503:
-                ended.wait(1.0)
+                self.ended.wait(1.0)
 
-    threads = [threading.Thread(target=press) for _ in range(clients)]
-    for thread in threads:
-        thread.start()
-    time.sleep(2.0)
-    waits, refused, until = [], 0, time.monotonic() + seconds
-    while time.monotonic() < until:
-        begin = time.monotonic()
-        refused += server.ask("POST", "/v1/closures", {"valve": small}).status != 200
-        waits.append(time.monotonic() - begin)
-        time.sleep(0.2)
-    ended.set()
-    for thread in threads:
-        thread.join()
+    def __enter__(self):
+        for thread in self.threads:
+            thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self.ended.set()
+        for thread in self.threads:
+            thread.join()
+
+
+class SlowBodies(Attack):
+    """Bodies that come a byte at a time, one for each thread that could read it."""
+
+    def __init__(self, server, clients):
+        super().__init__(server, "/v1/closures", "", clients)
+
+    def press(self, path, text, stays):
+        while not self.ended.is_set():
+            with socket.create_connection(("127.0.0.1", self.server.port)) as connection:
+                connection.sendall(post(path, b"{", Content_Length=1_000_000))
+                try:
+                    while not self.ended.wait(0.25):
+                        connection.sendall(b" " * 8192)
+                except OSError:
+                    self.answers["closed"] += 1
+
+
+def memory_mib(pid):
+    """Of a process and all that it has started, shared pages once."""
+    children = collections.defaultdict(list)
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            children[int(stat.read_text().rsplit(")", 1)[1].split()[1])].append(int(stat.parent.name))
+        except OSError:  # it has ended meanwhile
+            continue
+    kib, waiting = 0, [pid]
+    while waiting:
+        process = waiting.pop()
+        waiting += children[process]
+        try:
+            rollup = pathlib.Path(f"/proc/{process}/smaps_rollup").read_text()
+            kib += int(rollup.split("\nPss:")[1].split()[0])
+        except (OSError, IndexError):
+            continue
+    return kib / 1024
+
+
+def watch(server, attack, seconds):
+    """Small closures of another address beside an attack."""
+    waits, refused, most = [], 0, memory_mib(server.process.pid)
+    ended = threading.Event()
+
+    def weigh():
+        nonlocal most
+        while not ended.wait(0.1):
+            most = max(most, memory_mib(server.process.pid))
+
+    weighing = threading.Thread(target=weigh)
+    with attack:
+        weighing.start()
+        time.sleep(1.0)
+        until = time.monotonic() + seconds
+        while time.monotonic() < until:
+            begin = time.monotonic()
+            refused += server.ask("POST", "/v1/closures", SMALL, client=OTHER).status != 200
+            waits.append(time.monotonic() - begin)
+            time.sleep(0.2)
+        ended.set()
+        weighing.join()
+    waits.sort()
     return {
-        "clients": clients,
         "small": len(waits),
         "refused": refused,
-        "median_s": round(percentile(waits, 50), 2),
-        "worst_s": round(max(waits), 2),
-        "heavy": {str(status): count for status, count in answers.items()},
+        "median_s": round(waits[len(waits) // 2], 2),
+        "worst_s": round(waits[-1], 2),
+        "memory_mib": round(most),
+        "others": dict(attack.answers),
     }
+
+
+# Median wait and memory in release 0.2, tested from outside: the longest watched where nothing was answered.
+BEFORE = {
+    "no attack": (0.2, 15),
+    "2 closures of 4,900 vertices": (9.8, None),
+    "8 closures of 4,900 vertices": (20.0, None),
+    "2 imports of 20,000 triangles": (180.0, 758),
+    "2 label maps of 160³ voxels, clients gone": (48.0, 2355),
+    "1 label map of 230³ voxels": (None, 4416),
+    "1 preview of 7,973 files": (None, 336),
+    "1 VTP file of 200 arrays": (None, 6042),
+}
+
+
+def attacks(server, heavy):
+    """Each with who presses."""
+    one_map, previews = checkerboard(160), {"files": [named("p.vtp", b"x" * 500)] * 7973}
+    yield "no attack", Attack(server, "", "", 0)
+    for clients in (2, 8):
+        yield f"{clients} closures of 4,900 vertices", Attack(server, "/v1/closures", {"valve": heavy}, clients)
+    yield "2 imports of 20,000 triangles", Attack(server, "/v1/valves:import", import_of(20_000), 2, 0.3)
+    yield "2 imports of 9,000 triangles", Attack(server, "/v1/valves:import", import_of(9_000), 2)
+    yield "2 label maps of 160³ voxels, clients gone", Attack(server, "/v1/valves:import", one_map, 2, 0.3)
+    yield "1 label map of 230³ voxels", Attack(server, "/v1/valves:import", checkerboard(230), 1)
+    yield "1 preview of 7,973 files", Attack(server, "/v1/imports:preview", previews, 1)
+    yield "1 VTP file of 200 arrays", Attack(server, "/v1/valves:import", repeated_arrays(200, 30), 1)
+    yield "100 small closures at once", Attack(server, "/v1/closures", SMALL, 100)
+    yield "100 slow bodies", SlowBodies(server, 100)
+
+
+def write(figures, path):
+    with path.open("w", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["attack", "release", "wait_s", "worst_s", "refused", "memory_mib"])
+        for name, now in figures.items():
+            if name in BEFORE:
+                wait, memory = BEFORE[name]
+                table.writerow([name, "0.2", wait, "", "", memory])
+            table.writerow([name, "now"] + [now[key] for key in ("median_s", "worst_s", "refused", "memory_mib")])
 
 
 def main():
     parser = parser_of(__doc__)
-    parser.add_argument("--seconds", type=float, default=30.0, help="of each load")
-    parser.add_argument("--coapt", default="build/release/bin/coapt", help="makes the valve")
-    parser.add_argument("--triangles", type=int, default=9000, help="of the heavy valve")
+    parser.add_argument("--seconds", type=float, default=20.0, help="of each attack")
+    parser.add_argument("--coapt", default=SOURCE / "build/release/bin/coapt", help="makes the large valve")
+    parser.add_argument("--output", type=pathlib.Path, help="table: docs/figures/attacks.csv")
     options = parser.parse_args()
+    figures = {}
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "heavy.json"
-        make = (
-            options.coapt,
-            "valve",
-            "make",
-            "human-functional-mr",
-            "--triangles",
-            str(options.triangles),
-            "-o",
-            path,
-        )
+        make = (options.coapt, "valve", "make", "human-functional-mr", "--triangles", "9000", "-o", path)
         subprocess.run(make, check=True)
-        flags = ("--request-seconds", 10)
-        server = Server(options.server, pathlib.Path(folder) / "jobs.sqlite", *map(str, flags))
+        server = Server(options.server, pathlib.Path(folder) / "jobs.sqlite", "--request-seconds", 10)
         try:
             heavy = server.ask("POST", "/v1/valves", json.loads(path.read_text())).json()["id"]
-            figures = [
-                beside(server, {"valve": heavy}, clients, options.seconds, "human-normal") for clients in (0, 2, 8)
-            ]
+            for name, attack in attacks(server, heavy):
+                figures[name] = watch(server, attack, options.seconds)
+                print(name, figures[name], file=sys.stderr, flush=True)
         finally:
             server.stop()
-    met = all(one["refused"] == 0 for one in figures) and figures[1]["worst_s"] < 1 and figures[2]["worst_s"] < 3
+    if options.output:
+        write(figures, options.output)
+    beside = [figures[f"{clients} closures of 4,900 vertices"]["worst_s"] for clients in (2, 8)]
+    met = all(one["refused"] == 0 for one in figures.values()) and beside[0] < 1 and beside[1] < 3
     report(
-        {"program": "crowded", "loads": figures, "met": met},
-        f"beside 2 and 8 heavy clients a small closure waited {figures[1]['worst_s']} and {figures[2]['worst_s']} s at worst",
+        {"program": "crowded", "attacks": figures, "met": met},
+        f"beside 2 and 8 heavy clients a small closure waited {beside[0]} and {beside[1]} s at worst; "
+        f"beside all attacks {max(one['worst_s'] for one in figures.values())} s",
     )
     return 0 if met else 1
 

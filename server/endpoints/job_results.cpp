@@ -63,8 +63,8 @@ Answer file_answer(const JobStore& store, const std::string& id, const std::stri
 
 /// A file that the job left, or a report that is drawn now.
 Answer file_answer(const JobStore& store, SearchReports& reports, const Job& job,
-                   const std::string& name) {
-  if (std::optional<Answer> report = reports.report(store, job, name)) return *std::move(report);
+                   const std::string& name, const Request& request) {
+  if (auto report = reports.report(store, job, name, request.client)) return *std::move(report);
   return file_answer(store, job.id, name);
 }
 
@@ -135,21 +135,23 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
-  return answer_in_turn(
-      compute, limits, request, cost_of(repair.after.rest_mm.rows()), [&](Context& context) {
-        const Expected<ClosedValve> closed = context.close(repair.after, {.motion = true});
-        if (!closed) return refusal(closed.errors());
-        Expected<AnswerFile> file =
-            exported_file(with_repair(*closed, repair.before, repair.plan), *format);
-        return file ? file_answer(*std::move(file)) : refusal(file.errors());
-      });
+  return answer_in_turn(compute, limits, request, closing_seconds(repair.after.rest_mm.rows()),
+                        [&](Context& context) {
+                          const Expected<ClosedValve> closed =
+                              context.close(repair.after, {.motion = true});
+                          if (!closed) return refusal(closed.errors());
+                          Expected<AnswerFile> file = exported_file(
+                              with_repair(*closed, repair.before, repair.plan), *format);
+                          return file ? file_answer(*std::move(file)) : refusal(file.errors());
+                        });
 }
 
 Answer GetPlanPicture::operator()(const Request& request) const {
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
   return answer_in_turn(
-      compute, limits, request, cost_of(repair.after.rest_mm.rows()), [&](Context& context) {
+      compute, limits, request, closing_seconds(repair.after.rest_mm.rows()),
+      [&](Context& context) {
         const Expected<ClosedValve> before = context.close(repair.before);
         if (!before) return refusal(before.errors());
         const Expected<ClosedValve> after = context.close(repair.after);
@@ -163,7 +165,8 @@ Answer GetPlanPicture::operator()(const Request& request) const {
 Answer GetPlanReport::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
-  return file_answer(store, reports, ended.job, "plan-" + request.parameters.at(1) + ".html");
+  return file_answer(store, reports, ended.job, "plan-" + request.parameters.at(1) + ".html",
+                     request);
 }
 
 Answer GetTriedPlans::operator()(const Request& request) const {
@@ -176,7 +179,7 @@ Answer GetReport::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
   return file_answer(store, reports, ended.job,
-                     ended.job.kind == "plans" ? "report.html" : "index.html");
+                     ended.job.kind == "plans" ? "report.html" : "index.html", request);
 }
 
 Answer GetFiles::operator()(const Request& request) const {
@@ -200,7 +203,7 @@ Answer GetFiles::operator()(const Request& request) const {
 Answer GetFile::operator()(const Request& request) const {
   const Ended ended = ended_job(store, request, false);
   if (ended.refusal) return *ended.refusal;
-  return file_answer(store, reports, ended.job, request.parameters.at(1));
+  return file_answer(store, reports, ended.job, request.parameters.at(1), request);
 }
 
 }  // namespace coapt

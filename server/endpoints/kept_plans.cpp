@@ -54,7 +54,7 @@ Errors check(const ValveSource& valves, const std::string& valve, const RepairPl
 Answer PostKeptPlan::operator()(const Request& request) const {
   KeptPlan kept = {random_id(), "", "", ""};
   RepairPlan plan;
-  if (auto refused = read_body(valves, request.body,
+  if (auto refused = read_body(valves, request,
                                {{"name", into(kept.name, read_name_of_plan)},
                                 {"valve", into(kept.valve, read_string)},
                                 {"plan", document(plan, plan_from_json)}}))
@@ -97,7 +97,7 @@ Answer GetKeptPlan::operator()(const Request& request) const {
 
 Answer RenameKeptPlan::operator()(const Request& request) const {
   std::string name;
-  if (auto refused = read_body(valves, request.body, {{"name", into(name, read_name_of_plan)}}))
+  if (auto refused = read_body(valves, request, {{"name", into(name, read_name_of_plan)}}))
     return *std::move(refused);
   const std::string& id = request.parameters.at(0);
   const Expected<bool> renamed = rename_kept_plan(store, id, name);

@@ -26,7 +26,7 @@ Answer PostOperation::operator()(const Request& request) const {
     task = *std::move(asked);
     return Errors();
   };
-  if (auto refused = read_body(valves, request.body, read)) return *std::move(refused);
+  if (auto refused = read_body(valves, request, read)) return *std::move(refused);
   const auto run = [&](Context& within) {
     Expected<OperationAnswer> answer = task.run(within);
     if (!answer) return refusal(answer.errors());
@@ -34,7 +34,8 @@ Answer PostOperation::operator()(const Request& request) const {
     return json_answer(200, std::get<Json>(*std::move(answer)));
   };
   if (task.closures == 0) return run(context);
-  return answer_in_turn(compute, context, cost_of(task.vertices, task.closures), run);
+  return answer_in_turn(compute, context,
+                        turn_for(request, closing_seconds(task.vertices, task.closures)), run);
 }
 
 }  // namespace coapt

@@ -93,7 +93,7 @@ Answer submit(const Submitting& to, const Request& request, const SubmittedWork&
 Answer PostPlans::operator()(const Request& request) const {
   Valve valve;
   SearchOptions options;
-  if (auto refused = read_body(submitting.valves, request.body,
+  if (auto refused = read_body(submitting.valves, request,
                                {{"valve", valve_field(submitting.valves, valve)},
                                 {"search", document(options, search_options_from_json), false}}))
     return *std::move(refused);
@@ -106,7 +106,7 @@ Answer PostStudies::operator()(const Request& request) const {
   Valve valve;
   StudyRequest study;
   if (auto refused = read_body(
-          submitting.valves, request.body,
+          submitting.valves, request,
           {{"valve", valve_field(submitting.valves, valve)}, {"study", into(study, read_study)}}))
     return *std::move(refused);
   return submit(submitting, request, {"study", valve, to_json(study)});

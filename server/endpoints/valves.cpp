@@ -22,8 +22,9 @@ struct Read {
 };
 
 Read read_valve_body(const ValveSource& source, const Request& request) {
-  const Compute::Turn turn(source.parsing);
-  if (!turn) return {Valve{}, retry_later(503, "too many requests are being read")};
+  const Compute::Turn turn(source.parsing, {reading_seconds(request), request.client});
+  if (!turn)
+    return {Valve{}, retry_later(503, "too many requests are being read", turn.retry_after_s())};
   const Expected<Json> json = parse_json(request.body, most_values(source.limits));
   if (!json) return {Valve{}, problem(400, json.errors())};
   Expected<Valve> valve = valve_from_json(*json);

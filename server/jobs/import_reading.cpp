@@ -10,6 +10,7 @@
 #include "io/json/valve_json.h"
 #include "io/picture/import_picture.h"
 #include "server/base64.h"
+#include "server/form_body.h"
 #include "server/json_body.h"
 #include "server/turns.h"
 
@@ -171,6 +172,13 @@ std::optional<Answer> valve_of(ImportStep step, const Json& body, const ServiceL
 
 std::optional<Answer> read_import(ImportStep step, std::string_view body,
                                   const ServiceLimits& limits, const ClosureBudget& budget) {
+  if (step == ImportStep::Form) {
+    const std::size_t line = std::min(body.find('\n'), body.size());
+    Expected<std::string> form =
+        json_of_form(body.substr(std::min(line + 1, body.size())), body.substr(0, line));
+    if (!form) return problem(400, form.errors());
+    return Answer{200, Content{"application/json", *std::move(form)}};
+  }
   const Expected<Json> json = parse_json(body, most_values(limits));
   if (!json) return problem(400, json.errors());
   return step == ImportStep::Preview ? previews(*json, budget)

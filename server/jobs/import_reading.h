@@ -20,7 +20,9 @@ enum class ImportStep : char {
   Job =
       'j',  ///< of such a body that was taken: the same and "picture" (PNG in base64), for a fit "fit", as the body says it but
             ///< for its files, and "surface", what surface_from() reads
-  Preview = 'p'  ///< {"files": what each holds}
+  Preview = 'p',  ///< {"files": what each holds}
+  Form =
+      'f'  ///< of a Content-Type, a line break and a form of that type: the same as JSON (form_body.h)
 };
 
 /// In this process. 200 with the document, or what is wrong with the body; none if it was cancelled.

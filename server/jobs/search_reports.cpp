@@ -7,12 +7,16 @@
 #include "server/answers.h"
 #include "server/jobs/closure_keeping.h"
 #include "server/negotiation.h"
+#include "server/turns.h"
 
 namespace coapt {
 namespace {
 
 constexpr int kLevel = 6;                                      // of gzip: 0.7 MB take 20 ms
 constexpr std::size_t kMostMaterial = std::size_t{256} << 20;  // bytes; 50 plans have some 10 MB
+
+// What drawing one takes (docs/engineer/service.md).
+constexpr double kReport_s = 1.0, kPlanReport_s = 0.5;
 
 constexpr std::string_view kAll = "report.html", kOne = "plan-", kEnd = ".html";
 
@@ -51,7 +55,7 @@ std::string search_material(const SearchResult& result, const SearchRequest& req
 std::string packed_material(const std::string& material) { return gzip(material, kLevel); }
 
 std::optional<Answer> SearchReports::report(const JobStore& store, const Job& job,
-                                            const std::string& name) {
+                                            const std::string& name, const std::string& client) {
   const std::optional<std::size_t> page = page_named(name);
   if (!page || job.kind != "plans") return std::nullopt;
   const Expected<std::string> material = material_of(store, job);
@@ -62,8 +66,8 @@ std::optional<Answer> SearchReports::report(const JobStore& store, const Job& jo
   if (*page >= *pages) return std::nullopt;
   const Expected<Valve> valve = valve_of(store, job);
   if (!valve) return store_problem(valve.errors());
-  const Compute::Turn turn(drawing_);
-  if (!turn) return too_busy();
+  Compute::Turn turn(drawing_, {page == 0 ? kReport_s : kPlanReport_s, client});
+  if (!turn) return no_turn(turn);
   Expected<std::string> html = report_page(*material, *page, *valve);
   if (!html) return problem(500, html.errors());
   remember(path_of(job, name), html->size());
@@ -89,7 +93,7 @@ std::variant<std::vector<JobFileName>, Answer> SearchReports::list(const JobStor
       if (seconds.count() > limits.request_seconds || (request.abandoned && request.abandoned()))
         return retry_later(503,
                            "the reports of this search are still being generated; try again later");
-      const std::optional<Answer> made = report(store, job, name);
+      const std::optional<Answer> made = report(store, job, name, request.client);
       if (!made || made->status != 200) return made.value_or(not_found("file"));
       size = static_cast<std::int64_t>(std::get<Content>(made->body).bytes.size());
     }

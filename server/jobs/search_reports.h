@@ -34,10 +34,11 @@ class SearchReports {
   /// @param turns reports drawn at once; by default half the cores
   explicit SearchReports(int turns = static_cast<int>(std::thread::hardware_concurrency()) / 2,
                          std::chrono::milliseconds patience = std::chrono::seconds(20))
-      : drawing_(turns, patience) {}
+      : drawing_(turns, patience, std::chrono::seconds(10)) {}
 
-  /// "report.html", "plan-RANK.html"; none if the search keeps no such report.
-  std::optional<Answer> report(const JobStore& store, const Job& job, const std::string& name);
+  /// "report.html", "plan-RANK.html"; none if the search keeps no such report. @param client that asks
+  std::optional<Answer> report(const JobStore& store, const Job& job, const std::string& name,
+                               const std::string& client);
 
   /// Those that can be asked for, with their sizes; the refusal if these are not known within the time of a request: asked
   /// again it goes on from there.

@@ -46,7 +46,7 @@ class Nginx(ServerTest):
         token_file.touch(mode=0o600)
         token_file.write_text(self.token + "\n")
         return super().start_server(
-            "jobs.sqlite", "--token-file", token_file, "--allow-host", NAME, "--running-jobs", 1
+            "jobs.sqlite", "--token-file", token_file, "--allow-host", NAME, "--behind-proxy", "--running-jobs", 1
         )
 
     def make_certificate(self):

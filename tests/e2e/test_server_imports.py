@@ -15,15 +15,17 @@ from server_runs import ServerTest
 
 
 def readers_of(server):
-    """Processes that read files for it: children of its child."""
+    """Processes that read files for it: children of the template, which its keeper has forked."""
     parents = {}
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:
             parents[int(stat.parent.name)] = int(stat.read_text().rsplit(")", 1)[1].split()[1])
         except OSError:  # it has ended meanwhile
             continue
-    templates = [pid for pid, parent in parents.items() if parent == server.process.pid]
-    return [pid for pid, parent in parents.items() if parent in templates]
+    found = {server.process.pid}
+    for _ in ("keeper", "template", "readers"):
+        found = {pid for pid, parent in parents.items() if parent in found}
+    return list(found)
 
 
 def within(seconds, condition):

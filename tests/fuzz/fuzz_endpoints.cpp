@@ -14,7 +14,6 @@
 #include "io/store/kept_plans.h"
 #include "io/store/stored_valves.h"
 #include "server/farm_watch.h"
-#include "server/form_body.h"
 #include "server/routes.h"
 #include "server/service.h"
 #include "tests/fuzz/endpoint_choice.h"
@@ -108,9 +107,8 @@ Request request_of(std::uint8_t choice, std::string_view rest) {
   if (index == kForms) {
     request.path = kFormPath;
     request.method = "POST";
-    const Expected<std::string> body =
-        json_of_form(rest, "multipart/form-data; boundary=" + std::string(kFormBoundary));
-    if (body) request.body = *body;
+    request.headers["content-type"] = "multipart/form-data; boundary=" + std::string(kFormBoundary);
+    request.body = rest;
     return request;
   }
   if (index < kForms) {

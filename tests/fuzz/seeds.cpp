@@ -139,7 +139,10 @@ void write_requests(const std::filesystem::path& folder) {
       {{"files", {import["leaflets"][0], import["annulus"]}}},
       {{"valve", kStoredValve}},
       {{"valve", kStoredValve}},
-      {{"cases", Json::array()}, {"answers", Json::array()}}};
+      {{"cases", Json::array()}, {"answers", Json::array()}},
+      {{"valve", kStoredValve}, {"draws", 2}},
+      {{"valve", kStoredValve},
+       {"observed", {{"leak_mm2", {{"value", 50}, {"sd", 10}, {"source", "planimetry"}}}}}}};
   char choice = 'a';
   for (const Json& body : bodies) {
     write(folder / std::string(1, choice), choice + body.dump());

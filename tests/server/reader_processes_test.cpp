@@ -12,6 +12,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -43,6 +47,21 @@ std::string could() {
                            MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED);
   tried("write where others read", write(STDERR_FILENO, "", 1) >= 0);
   return done;
+}
+
+/// One that a process has forked; 0: there is none.
+pid_t child_of(pid_t process) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream stat(entry.path() / "stat");
+    std::string line;
+    if (!std::getline(stat, line)) continue;
+    std::istringstream rest(line.substr(line.rfind(')') + 1));  // state, parent, ...
+    std::string state;
+    pid_t parent = 0;
+    rest >> state >> parent;
+    if (parent == process && state != "Z") return std::stoi(entry.path().filename());
+  }
+  return 0;
 }
 
 /// The first byte says what to do.
@@ -133,8 +152,22 @@ TEST_F(ReaderProcessesTest, ManyAskAtOnce) {
   for (std::thread& client : clients) client.join();
 }
 
-TEST_F(ReaderProcessesTest, WithoutItsTemplateAQuestionDies) {
-  // As where the system has ended it for want of memory: an answer all the same.
+TEST_F(ReaderProcessesTest, ATemplateThatTheSystemEndsIsForkedAgain) {
+  EXPECT_EQ(ask("h").answer, "heard h");
+  const pid_t keeper = child_of(getpid()), first = child_of(keeper);
+  ASSERT_GT(first, 0);
+  kill(first, SIGKILL);
+  pid_t second = first;
+  for (int i = 0; i < 500 && (second == first || second == 0); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    second = child_of(keeper);
+  }
+  EXPECT_NE(second, first);
+  EXPECT_EQ(ask("h").answer, "heard h");
+}
+
+TEST_F(ReaderProcessesTest, WithoutItsKeeperAQuestionDies) {
+  // An answer all the same.
   ReaderProcesses own(work, kBytes, [] { _exit(0); });
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_EQ(own.ask("h", {}, {}).end, End::Died);

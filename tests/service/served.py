@@ -24,13 +24,13 @@ class Reply:
         return json.loads(self.body)
 
 
-def ask(port, method, path, body=None, headers=None, seconds=300):
-    """One request over a connection of its own; a body that is no bytes or text is sent as JSON."""
+def ask(port, method, path, body=None, headers=None, seconds=300, client="127.0.0.1"):
+    """One request over a connection of its own, from this address; a body that is no bytes or text is sent as JSON."""
     headers = dict(headers or {})
     if body is not None and not isinstance(body, (bytes, str)):
         body = json.dumps(body)
         headers.setdefault("Content-Type", "application/json")
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=seconds)
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=seconds, source_address=(client, 0))
     try:
         connection.request(method, path, body, headers)
         answer = connection.getresponse()
@@ -76,8 +76,8 @@ class Server:
         self.kill()
         raise RuntimeError(f"coapt-server does not listen: {self.messages.read_text(errors='replace')}")
 
-    def ask(self, method, path, body=None, headers=None, seconds=300):
-        return ask(self.port, method, path, body, headers, seconds)
+    def ask(self, method, path, body=None, headers=None, seconds=300, client="127.0.0.1"):
+        return ask(self.port, method, path, body, headers, seconds, client)
 
     def get(self, path):
         """JSON of what must be there."""

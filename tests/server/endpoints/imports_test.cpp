@@ -261,6 +261,40 @@ TEST_F(ImportsTest, WhatIsWrongWithAFitIsSaidAtOnce) {
   EXPECT_EQ(refusal(post("/v1/valves:import", {{"fit", {{"rounds", 1}}}})).paths.back(), "/fit");
 }
 
+const Fields kForm = {{"content-type", "multipart/form-data; boundary=x"}};
+
+/// A request as a form, whose files have names.
+std::string form_of(const Json& request) {
+  std::string form;
+  const auto part = [&form](const std::string& name, const std::string& content) {
+    form += "--x\r\nContent-Disposition: form-data; name=" + name + "\r\n\r\n" + content + "\r\n";
+  };
+  for (const auto& [name, value] : request.items())
+    for (const Json& one : value.is_array() ? value : Json::array({value}))
+      if (one.is_object())
+        part(name + "; filename=" + one["name"].get<std::string>(), one["text"]);
+      else
+        part(name, one.is_string() ? one.get<std::string>() : one.dump());
+  return form + "--x--\r\n";
+}
+
+TEST_F(ImportsTest, AFormIsTheSameRequest) {
+  Json request = unseen_request();
+  request.erase("provenance");
+  const Answer answer = ask("POST", "/v1/valves:import", form_of(request), kForm);
+  ASSERT_EQ(answer.status, 201) << json_of(answer);
+  const Answer again = post("/v1/valves:import", request);
+  EXPECT_EQ(again.status, 200) << "it is there already";
+  EXPECT_EQ(json_of(again)["id"], json_of(answer)["id"]);
+  EXPECT_EQ(ask("POST", "/v1/imports", form_of(request), kForm).status, 202);
+  const std::shared_ptr<RunningJob> job = board().take();
+  const std::optional<JobEnd> end = ImportJob{board(), store(), {limits_}}(*job);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->state, JobState::Succeeded);
+  for (const char* path : {"/v1/valves:import", "/v1/imports", "/v1/imports:preview"})
+    EXPECT_EQ(ask("POST", path, "--x", kForm).status, 400) << path;
+}
+
 TEST_F(ImportsTest, FilesAreReadApartToTheSameAnswers) {
   const std::unique_ptr<ReaderProcesses> processes = import_processes(limits_);
   const ImportReader here{limits_}, apart{limits_, processes.get()};
@@ -274,7 +308,10 @@ TEST_F(ImportsTest, FilesAreReadApartToTheSameAnswers) {
       {ImportStep::Submission, fit_request().dump()},
       {ImportStep::Job, cone_request(true).dump()},
       {ImportStep::Job, fit_request().dump()},
-      {ImportStep::Preview, Json{{"files", {cone_request()["annulus"]}}}.dump()}};
+      {ImportStep::Preview, Json{{"files", {cone_request()["annulus"]}}}.dump()},
+      {ImportStep::Form, kForm.at("content-type") + '\n' + form_of({{"name", "a"}, {"slack", 1}})},
+      {ImportStep::Form, kForm.at("content-type") + "\n--x"},
+      {ImportStep::Form, ""}};
   for (const auto& [step, body] : asked) {
     const std::optional<Answer> one = here(step, body, {}, 60.0),
                                 other = apart(step, body, {}, 60.0);

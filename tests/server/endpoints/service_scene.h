@@ -104,7 +104,8 @@ class ServiceTest : public testing::Test {
   JobStore store_ = open_store(folder_.file("jobs.db"));
   JobBoard board_{store_, kQueue};
   ValveCache known_;
-  Compute parsing_{1, std::chrono::milliseconds(0)}, compute_{1, std::chrono::milliseconds(0)};
+  static constexpr std::chrono::milliseconds kNone{0}, kAsLongAsItTakes{1'000'000};
+  Compute parsing_{1, kNone, kAsLongAsItTakes}, compute_{1, kNone, kAsLongAsItTakes};
   SearchReports reports_{1, std::chrono::milliseconds(0)};
   FarmWatch farm_{std::nullopt};
   Metrics metrics_;
