@@ -219,7 +219,7 @@ std::string how_sure(const RankedPlan& plan) {
         "Leak: the smallest area through which blood can flow back. Errors of execution: suture "
         "length (without a suture, the distance from tip to trigone) by up to 1 mm and direction "
         "of the tips by up to 5°, in " +
-        grouped(plan.region.closures) + (plan.region.closures == 1 ? " closure" : " closures");
+        grouped(plan.region.closures) + ' ' + noun_of(plan.region.closures, "closure");
     if (plan.region.failures > 0)
       words += ", " + std::to_string(plan.region.failures) + " of which failed and are excluded";
     words += ". ";
