@@ -39,7 +39,7 @@ std::vector<const RankedPlan*> told_plans(const PlanReport& report) {
   return plans;
 }
 
-/// What a rule says of some plans alike: all that pass, or those with one finding.
+/// What a rule says of some plans alike: all that pass or are not assessed, or those with one finding.
 struct SharedVerdict {
   const Gate* gate = nullptr;  ///< of the first of them
   std::string ranks;
@@ -53,8 +53,10 @@ std::vector<SharedVerdict> shared_verdicts(const std::vector<const RankedPlan*>&
     const Gate& gate = plan->gates[rule];
     const auto found =
         std::find_if(verdicts.begin(), verdicts.end(), [&](const SharedVerdict& other) {
+          const bool is_telling =
+              gate.severity == GateSeverity::Warn || gate.severity == GateSeverity::Reject;
           return other.gate->severity == gate.severity &&
-                 (gate.severity == GateSeverity::Pass || other.gate->finding == gate.finding);
+                 (!is_telling || other.gate->finding == gate.finding);
         });
     if (found == verdicts.end())
       verdicts.push_back({&gate, std::to_string(plan->rank)});

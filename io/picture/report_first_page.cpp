@@ -307,7 +307,7 @@ std::string others(const PlanReport& report, std::size_t front) {
 std::string first_page(const PlanReport& report) {
   const std::size_t front = plan_in_front(report);
   const RankedPlan& plan = report.result.plans[front];
-  return "<section class=\"first\">\n" + diagnosis(report) + verdict(report, plan) +
+  return diagnosis(report) + "<section class=\"first\">\n" + verdict(report, plan) +
          operation(report, plan) + pictures(report, front) +
          "<div class=\"key\"><h3>Key figures and their uncertainty</h3>\n" +
          figures(report.result, plan) + how_sure(plan) + "</div>\n" + care(plan) +

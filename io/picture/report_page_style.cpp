@@ -56,8 +56,6 @@ main{padding:0;max-width:none}
 h1{font-size:1.3rem}
 .contents{display:none}
 .notice,.robust,.least-bad{border:1.5px solid currentColor;border-radius:4px}
-.first{break-after:page}
-#evidence{break-before:page}
 h2{margin:1.4rem 0 .4rem}
 figure{margin:.5rem 0}
 figure,dl,pre,.care,.operation,li,tr{break-inside:avoid}
