@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/valve/counted.h"
 #include "io/json/plan_json.h"
 #include "io/json/plans_json.h"
 #include "operations/repair_request.h"
@@ -80,11 +81,11 @@ Errors read_asked(const Json& request, const Context& context, EvaluateRequest& 
   const std::ptrdiff_t most = most_closures(asked.valve, context.limits);
   if (asked.closures > most)
     problems.add(ErrorCode::OutOfRange, "/plans",
-                 "has " + std::to_string(asked.plans.size()) + " plans of " +
+                 "has " + counted(std::ssize(asked.plans), "plan") + " of " +
                      std::to_string(options.region_points) + " region_points" +
                      (options.evidence ? " and evidence" : "") +
                      (drawn > 0 ? " and model_draws" : "") + ", together " +
-                     std::to_string(asked.closures) + " closures; must be at most " +
+                     counted(asked.closures, "closure") + "; must be at most " +
                      std::to_string(most) + " for a valve of this size");
   return std::move(problems).take();
 }

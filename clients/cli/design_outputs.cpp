@@ -79,8 +79,8 @@ void print_ring_design(std::ostream& out, const RingDesignResult& result,
     out << "  " << verdict.aetiology << " (" << verdict.members << "): gain "
         << with_interval(verdict.below_percent, 1) << " points\n";
   }
-  out << result.search.designs << " designs tried, " << grouped(result.search.evaluations)
-      << " closures and openings.\n";
+  out << counted(result.search.designs, "design") << " tried, "
+      << grouped(result.search.evaluations) << " closures and openings.\n";
 }
 
 }  // namespace coapt

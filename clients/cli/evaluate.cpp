@@ -198,8 +198,10 @@ void add_evaluate(Command parent, int& status) {
   for (const char* name : {"threads", "region_points", "model_draws"})
     add_search_option(command, name, arguments->options);
   add_store_option(command, arguments->store);
-  command.add_flag("--no-evidence", arguments->no_evidence,
-                   "Skip the analysis of single sutures and of further remodelling");
+  command.add_flag(
+      "--no-evidence", arguments->no_evidence,
+      "Skip the analysis of single sutures, of further remodelling and, for the first plan, of "
+      "the error of each step");
   command.add_flag("--json", arguments->json,
                    "Print JSON as coapt plan does, with the \"file\" of each plan");
   add_server_option(command, arguments->server);

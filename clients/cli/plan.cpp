@@ -126,8 +126,10 @@ void add_plan(Command parent, int& status) {
       "--weights", arguments->weights,
       "Replace the default cost weights by those learned with coapt prefer (coapt.weights/1)");
   add_store_option(command, arguments->store);
-  command.add_flag("--no-evidence", arguments->no_evidence,
-                   "Skip the analysis of single sutures and of further remodelling");
+  command.add_flag(
+      "--no-evidence", arguments->no_evidence,
+      "Skip the analysis of single sutures, of further remodelling and, for the first plan, of "
+      "the error of each step");
   command
       .add_option("--rank", arguments->rank,
                   "Order of acceptable plans: rule (equivalence classes, simplest plan first) or "

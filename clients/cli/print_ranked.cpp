@@ -151,13 +151,15 @@ void print_fine_mesh(std::ostream& out, const Json& result) {
   const auto mesh = result.find("fine_mesh");
   if (mesh == result.end() || (*mesh)["levels"] == 0) return;
   const Json& plans = result["plans"];
+  const std::string leak = grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
+                           known((*mesh)["leak_before_mm2"]) + " mm2";
+  if (plans.empty()) return print_words(out, "Finer mesh: ", leak);
   const bool complete = std::none_of(plans.begin(), plans.end(),
                                      [](const Json& plan) { return plan["fine"].is_null(); });
   const bool changed = std::any_of(plans.begin(), plans.end(), changed_place);
   print_words(
       out, "Finer mesh: ",
-      grouped((*mesh)["triangles"]) + " triangles, unrepaired leak " +
-          known((*mesh)["leak_before_mm2"]) + " mm2; " +
+      leak + "; " +
           (!complete ? "it does not affect the ranking, because not all plans were closed on it"
            : changed ? "it changes the ranking, as noted with each plan"
                      : "it does not change the ranking"));
@@ -177,6 +179,22 @@ void print_warnings(std::ostream& out, const Json& plan) {
       print_words(out, "      ! ", warning);
 }
 
+/// How far each step of the first plan may be off, each alone.
+void print_tolerance(std::ostream& out, const Json& plan) {
+  const Json curves = plan.value("tolerance", Json::array());  // not of earlier releases
+  std::string words;
+  for (const Json& curve : curves) {
+    std::string error = curve["error"];
+    std::replace(error.begin(), error.end(), '_', ' ');
+    words += (words.empty() ? "" : ", ") + error + ' ' +
+             (curve["leaks_beyond"].get<bool>() ? "" : "at least ") +
+             fixed(number_of(curve["margin_mm"]), 1) + " mm";
+  }
+  if (!words.empty())
+    print_words(out, "      ",
+                "error of one step until it leaks " + shown(kTraceLeak_mm2) + " mm2: " + words);
+}
+
 void print_plan(std::ostream& out, const Json& plan) {
   print_row(out, plan);
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
@@ -184,6 +202,7 @@ void print_plan(std::ostream& out, const Json& plan) {
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
   if (const auto leak = plan.find("leak"); leak != plan.end())  // not of earlier releases
     print_words(out, "      ", "leak as planned: " + leak_and_error(*leak));
+  print_tolerance(out, plan);
   print_beaten(out, plan);
   print_fine(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
@@ -234,8 +253,9 @@ void print_ranked(std::ostream& out, const Json& result) {
   print_fine_mesh(out, result);
   print_model_draws(out, result);
   print_cut(out, result);
-  out << result["closures"] << " closures (" << result["closures_not_converged"]
-      << " not converged, " << result["closures_crossed"] << " crossed";
+  out << counted(result["closures"].get<long>(), "closure") << " ("
+      << result["closures_not_converged"] << " not converged, " << result["closures_crossed"]
+      << " crossed";
   if (result["closures_known"] > 0)
     out << ", " << result["closures_known"] << " reused from an earlier run";
   out << ") in " << fixed(number_of(result["seconds"]), 1) << " s\n";

@@ -69,7 +69,7 @@ int run(const StudyAnchorsArguments& arguments) {
       std::to_string(competent) + " of " + std::to_string(scan.size()) +
       " anatomies are competent when undisturbed and were studied, each at its displacements of 6 "
       "mm along any axes that leak more than 20 mm2, with " +
-      std::to_string(question.approximation.region_points) + " nodes of each region.";
+      counted(question.approximation.region_points, "node") + " of each region.";
   const std::string svg = anchor_question_svg(answers);
   const std::string page =
       study_page("Anatomies in which the trigone is the better anchor", lead,

@@ -88,7 +88,7 @@ int run(const StudyCalibrateArguments& arguments) {
     std::cout << "seed " << options.seed << ": Spearman " << fixed(fit.spearman, 3) << ", rms "
               << fixed(fit.rms_mm2, 1) << " mm2 over table 4.1, dilation within "
               << fixed(100.0 * fit.largest_dilation_error, 0) << " %, " << fit.untrusted
-              << " not trusted, " << fit.closures << " closures";
+              << " not trusted, " << counted(fit.closures, "closure");
     if (arguments.anchors) std::cout << ", anchors " << holds << " of 9";
     std::cout << std::endl;
     if (holds < best_holds || (holds == best_holds && fit.rms_mm2 >= best.rms_mm2)) continue;

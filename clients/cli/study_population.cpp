@@ -107,8 +107,9 @@ void search_held_out(const StudyPopulationArguments& arguments, const Population
 std::string lead_of(const PopulationStudy& study, const Population& population) {
   return counted(study.members, "valve") + " of the prior \"" + population.prior.name +
          "\" (seed " + std::to_string(population.seed) + "), " + std::to_string(study.not_made) +
-         " not made; " + grouped(study.closures) + " closures of repairs, " +
-         grouped(study.failures) + " not reliable. " + assumed_words(population.prior) +
+         " not made; " + grouped(study.closures) + ' ' + noun_of(study.closures, "closure") +
+         " of repairs, " + grouped(study.failures) + " not reliable. " +
+         assumed_words(population.prior) +
          " All results are model predictions on sampled valves, not a clinical trial.";
 }
 

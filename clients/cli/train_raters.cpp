@@ -88,8 +88,9 @@ void rate_exam_b(const ExamBCase& made, const KnownValve& known, std::mt19937_64
 void print_raters(const Json& result) {
   for (const auto& exam : result["exams"]) {
     std::cout << "Exam " << exam["exam"].get<std::string>() << ", "
-              << counted(exam["cases"].get<long>(), "case") << " (" << exam["not_made"]
-              << " seeds made no case), " << fixed(exam["draws"], 1) << " valves drawn for each\n";
+              << counted(exam["cases"].get<long>(), "case") << " ("
+              << counted(exam["not_made"].get<long>(), "seed") << " made no case), "
+              << fixed(exam["draws"], 1) << " valves drawn for each\n";
     for (const auto& rater : exam["raters"])
       std::cout << "  " << std::left << std::setw(34) << rater["rater"].get<std::string>()
                 << std::right << std::setw(4) << rater["right"].get<int>() << " of " << std::setw(4)

@@ -129,8 +129,8 @@ int run(ValveCalibrateArguments arguments) {
       std::cout << '\n';
     }
     std::cout << "Cost " << significant(found.cost_before, 4) << " to "
-              << significant(found.cost, 4) << " in " << found.evaluations << " evaluations ("
-              << to_string(found.stop) << ").\nWritten to " << arguments.directory
+              << significant(found.cost, 4) << " in " << counted(found.evaluations, "evaluation")
+              << " (" << to_string(found.stop) << ").\nWritten to " << arguments.directory
               << "/calibration.json, and a file for each valve\n";
   }
   return interrupted ? exit_code::kInterrupted : exit_code::kOk;

@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/valve/counted.h"
+
 namespace coapt {
 namespace {
 
@@ -205,8 +207,9 @@ class Worker {
     const auto waiting = nlohmann::ordered_json::parse(*text);
     if (waiting["mine"] != 0) return false;
     for (const auto& other : waiting["others"])
-      say_(std::to_string(other["runs"].get<int>()) + " runs wait for workers of revision " +
-           other["revision"].get<std::string>() + "; this worker has " + options_.name.revision);
+      say_(counted(other["runs"].get<int>(), "run waits", "runs wait") +
+           " for workers of revision " + other["revision"].get<std::string>() +
+           "; this worker has " + options_.name.revision);
     is_dry_ = true;
     report_.end = WorkerEnd::Dry;
     return true;

@@ -177,6 +177,12 @@ Json beaten_json(const RankedPlan& ranked) {
   return {{"rank", ranked.beaten_by}, {"in", ranked.beaten_in}};
 }
 
+Json tolerance_json(const ToleranceCurve& curve) {
+  return {{"step", curve.step},           {"error", to_string(curve.error)},
+          {"error_mm", curve.error_mm},   {"leak_mm2", curve.leak_mm2},
+          {"margin_mm", curve.margin_mm}, {"leaks_beyond", curve.leaks_beyond}};
+}
+
 Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   Json json = {{"rank", ranked.rank}};
@@ -203,6 +209,7 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"times_first", ranked.times_first},
                {"probability_outranks_next", ranked.probability_outranks_next},
                {"acceptable_probability", ranked.acceptable_probability},
+               {"tier", to_string(ranked.tier)},
                {"class", ranked.of_class},
                {"simplest_of_class", ranked.simplest_of_class},
                {"tie_with_next", ranked.ties_with_next},
@@ -215,6 +222,7 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"sobol", indices_json(region.indices)},
                {"independent_leak_mm2", statistics_json(region.independent_leak_mm2)},
                {"remodelling", list_of(region.remodelling, remodelling_json)},
+               {"tolerance", list_of(ranked.tolerance, tolerance_json)},
                {"gates", list_of(ranked.gates, gate_json)},
                {"warnings", ranked.warnings}});
   json.update(opening_json(ranked.opening));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/mesh/find_annulus.h"
@@ -22,10 +23,6 @@ constexpr double kThickestSheet_mm = 4.0;  // above it, sides of a folded sheet 
 std::string which(const std::vector<TriangleMesh>& leaflets, std::size_t i) {
   if (leaflets.size() == 1) return "skirt";
   return i == 0 ? kAnterior : kPosterior;
-}
-
-std::string counted(int count, const char* what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
 std::string place(const Vec3& point) {

@@ -189,7 +189,7 @@ void draw_open_atrial_view(const Canvas& canvas, const ViewFrame& frame, const C
                      leak.openings.size() == 1 ? leak.area_mm2 : opening.area_mm2;
                  draw_text(canvas, map(project(plane, opening.centroid_mm)),
                            fixed(0.01 * area_mm2, 1) + " cm²",
-                           {20.0, palette::kOrifice, Align::Centre, true, 4.0});
+                           {20.0, palette::kOpening, Align::Centre, true, 4.0});
                }
              }});
 }

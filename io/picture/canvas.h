@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace coapt {
 
@@ -13,22 +14,35 @@ struct Colour {
   double red = 0.0, green = 0.0, blue = 0.0, alpha = 1.0;
 };
 
+/// "#e8998a".
+constexpr Colour hex(std::string_view text) {
+  const auto part = [text](std::size_t at) {
+    int value = 0;
+    for (const char digit : text.substr(at, 2))
+      value = 16 * value + (digit <= '9' ? digit - '0' : digit - 'a' + 10);
+    return value / 255.0;
+  };
+  return {part(1), part(3), part(5)};
+}
+
+// Of tissue, leak and repair as on the page (clients/web/src/viewer/colours.ts; a test of the page compares).
 namespace palette {
 inline constexpr Colour kPaper{1.0, 1.0, 1.0};
 inline constexpr Colour kInk{0.11, 0.15, 0.20};
 inline constexpr Colour kMuted{0.40, 0.45, 0.52};
 inline constexpr Colour kHairline{0.82, 0.85, 0.88};
 inline constexpr Colour kWarning{0.75, 0.11, 0.11};
-inline constexpr Colour kAnterior{0.91, 0.60, 0.54};
-inline constexpr Colour kPosterior{0.95, 0.77, 0.57};
-inline constexpr Colour kOrifice{0.07, 0.22, 0.85};
-inline constexpr Colour kAnnulus{0.16, 0.22, 0.30};
-inline constexpr Colour kChorda{0.55, 0.47, 0.38};
-inline constexpr Colour kNeochorda{0.02, 0.52, 0.48};
-inline constexpr Colour kPapillary{0.58, 0.26, 0.24};
-inline constexpr Colour kRing{0.98, 0.96, 0.89};
+inline constexpr Colour kAnterior = hex("#e8998a");
+inline constexpr Colour kPosterior = hex("#f2c491");
+inline constexpr Colour kCommissure = hex("#c39bb4");
+inline constexpr Colour kOpening = hex("#1668d6");
+inline constexpr Colour kAnnulus = hex("#29384d");
+inline constexpr Colour kChorda = hex("#8c7861");
+inline constexpr Colour kAdded = hex("#0f8a5f");  ///< sutures, stitches, neochordae
+inline constexpr Colour kPapillary = hex("#943f3d");
+inline constexpr Colour kRing = hex("#e4e7ec");
+inline constexpr Colour kSurface = hex("#9db4d6");  ///< given, its leaflets not told apart
 inline constexpr Colour kBefore{0.72, 0.75, 0.79};
-inline constexpr Colour kSuture{0.46, 0.07, 0.48};
 }  // namespace palette
 
 /// Pixels, y down.

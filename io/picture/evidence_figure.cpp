@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <variant>
 
+#include "core/closed/diagnosis.h"
 #include "core/repair/plan.h"
 #include "core/valve/valve.h"
 #include "io/picture/heat_map.h"
@@ -18,16 +20,22 @@
 namespace coapt {
 namespace {
 
-constexpr double kPanelHeight = 330.0, kScaleHeight = 46.0;  // px
+constexpr double kScaleHeight = 46.0;  // px
+
+/// Maps whose cells hold numbers that can be read on paper stand in two columns.
+struct Layout {
+  double map_height, line_height;  ///< px
+  int map_columns;
+  bool cell_values;
+};
+constexpr Layout kFull = {300.0, 235.0, 2, true}, kBrief = {225.0, 225.0, 3, false};
+constexpr int kLineColumns = 3;
 // The same for all plans and on the page (clients/web/src/search/evidence.ts): competent below 1,
 // a good repair below 5.
 constexpr std::array<double, kShades - 1> kLeakLimits_mm2 = {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0};
 constexpr double kLengthStep_mm = 0.25;
 
 using Panel = std::function<std::string(const PlotBox&)>;
-
-/// Two, that numbers in cells can be read on paper.
-int columns_for(std::size_t panels) { return panels == 1 ? 1 : 2; }
 
 bool any_finite(const std::vector<std::vector<double>>& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const std::vector<double>& row) {
@@ -40,7 +48,8 @@ std::string title_of(const LeakMap& map) {
                               : "Leak, mm²: " + map.muscle + " alone";
 }
 
-HeatScale scale_of(const LeakMap& map) {
+HeatScale scale_of(const LeakMap& map, const Layout& layout) {
+  if (!layout.cell_values) return {0.0, kLeakLimits_mm2.back(), -1, kLeakLimits_mm2};
   double most = 0.0;
   for (const std::vector<double>& row : map.leak_mm2)
     for (const double value : row) most = std::max(most, std::isfinite(value) ? value : 0.0);
@@ -65,8 +74,8 @@ std::string length_words(const RepairPlan& plan, const std::string& muscle) {
   return both && (al || pm) ? "suture or tip to trigone" : "tip to trigone";
 }
 
-Panel map_panel(const LeakMap& map, const RepairPlan& plan) {
-  return [&map, &plan](const PlotBox& box) {
+Panel map_panel(const LeakMap& map, const RepairPlan& plan, const Layout& layout) {
+  return [&map, &plan, &layout](const PlotBox& box) {
     HeatMap heat{title_of(map), "", {}, {}, {""}, {map.leak_mm2}};
     for (int l = 0; l < kRegionLengths; ++l)
       heat.row_ticks.push_back(l % 2 == 0 ? fixed(kLengthStep_mm * (l - kRegionLengths / 2), 1)
@@ -76,7 +85,7 @@ Panel map_panel(const LeakMap& map, const RepairPlan& plan) {
     heat.framed = {kRegionLengths / 2, kRegionAngles / 2};
     const PlotBox within{box.left + 26.0, box.top, box.right - 16.0, box.bottom - 30.0};
     const std::string x = fixed(box.left + 20.0, 1), y = fixed(0.5 * (box.top + box.bottom), 1);
-    return draw_heat_map(heat, scale_of(map), within) +
+    return draw_heat_map(heat, scale_of(map, layout), within) +
            text_at(0.5 * (within.left + 34.0 + within.right), box.bottom - 16.0,
                    "text-anchor=\"middle\"", "angle outwards, degrees") +
            text_at(box.left + 20.0, 0.5 * (box.top + box.bottom),
@@ -176,27 +185,107 @@ Panel indices_panel(const RegionIndices& indices, const RepairPlan& plan) {
   };
 }
 
+const char* words_of(StepError error) {
+  switch (error) {
+    case StepError::RingSize:
+      return "size";
+    case StepError::SutureLength:
+    case StepError::NeochordaLength:
+      return "length";
+    case StepError::SutureAnchor:
+      return "anchor along the annulus";
+    case StepError::StitchAlongLeaflet:
+      return "stitch along the leaflet";
+    case StepError::StitchTowardsEdge:
+      return "stitch towards the edge";
+  }
+  return "";
+}
+
+std::string name_of(const RepairStep& step) {
+  if (std::holds_alternative<Annuloplasty>(step)) return "ring";
+  if (const auto* const suture = std::get_if<PapillaryApproximation>(&step))
+    return std::string(to_string(suture->side)) + " suture";
+  if (const auto* const neochorda = std::get_if<Neochorda>(&step))
+    return "neochorda from " + neochorda->head;
+  return "step";
+}
+
+/// The curves of one step.
+Panel tolerance_panel(const RankedPlan& plan, int step) {
+  return [&plan, step](const PlotBox& box) {
+    constexpr std::array kHues = {Hue::Blue, Hue::Orange, Hue::Green};
+    LinePanel panel{{"Error of the " + name_of(plan.plan.steps[static_cast<std::size_t>(step)]),
+                     "error, mm", "leak, mm²"},
+                    {}};
+    Extent errors, leaks{0.0, 1.5 * kTraceLeak_mm2};
+    for (const ToleranceCurve& curve : plan.tolerance) {
+      if (curve.step != step) continue;
+      panel.series.push_back({words_of(curve.error), curve.error_mm, curve.leak_mm2,
+                              kHues[panel.series.size() % kHues.size()], Mark::Line});
+      for (const double error : curve.error_mm) errors = including(errors, error);
+      for (const double leak : curve.leak_mm2) leaks = including(leaks, leak);
+    }
+    panel.series.push_back({"competent below",
+                            {errors.low, errors.high},
+                            {kTraceLeak_mm2, kTraceLeak_mm2},
+                            Hue::Ink,
+                            Mark::Dashed});
+    panel.y_holds = {0.0, 1.8 * leaks.high};  // room for the keys
+    return draw_with_keys(panel, box);
+  };
+}
+
+/// In rows of equal panels, from `top` downwards.
+Drawn draw_panels(const std::vector<Panel>& panels, int columns, double top, double height) {
+  const CellGrid grid{static_cast<int>(panels.size()), columns, top, height};
+  Drawn drawn{"", bottom_of(grid)};
+  for (int i = 0; i < grid.count; ++i)
+    drawn.svg += panels[static_cast<std::size_t>(i)](cell(grid, i));
+  return drawn;
+}
+
+std::string drawn_evidence(const RankedPlan& plan, const ValveMeasure& before,
+                           const Layout& layout) {
+  const RegionReport& region = plan.region;
+  std::vector<Panel> maps, lines;
+  for (const LeakMap& map : region.maps)
+    if (any_finite(map.leak_mm2)) maps.push_back(map_panel(map, plan.plan, layout));
+  if (!region.remodelling.empty()) lines.push_back(remodelling_panel(region.remodelling));
+  if (std::isfinite(region.indices.total[0]))
+    lines.push_back(indices_panel(region.indices, plan.plan));
+  lines.push_back(coaptation_panel(before, plan.measure));
+  for (int step = 0; step < std::ssize(plan.plan.steps); ++step)
+    if (std::any_of(plan.tolerance.begin(), plan.tolerance.end(),
+                    [step](const ToleranceCurve& curve) { return curve.step == step; }))
+      lines.push_back(tolerance_panel(plan, step));
+  Drawn drawn{"", 4.0};
+  if (!maps.empty()) {
+    drawn = {draw_scale({0.0, kLeakLimits_mm2.back(), 0, kLeakLimits_mm2},
+                        "Leak, mm². Frame: the plan. Both muscles: mean over posterior angles.",
+                        60.0, 12.0),
+             kScaleHeight};
+    if (layout.map_columns == kLineColumns) {
+      maps.insert(maps.end(), lines.begin(), lines.end());
+      std::swap(maps, lines);
+    } else {
+      const Drawn rows = draw_panels(maps, layout.map_columns, drawn.bottom, layout.map_height);
+      drawn = {drawn.svg + rows.svg, rows.bottom};
+    }
+  }
+  const Drawn rows = draw_panels(lines, kLineColumns, drawn.bottom, layout.line_height);
+  return figure_svg("Evidence for rank " + std::to_string(plan.rank), drawn.svg + rows.svg,
+                    {rows.bottom});
+}
+
 }  // namespace
 
 std::string evidence_svg(const RankedPlan& plan, const ValveMeasure& before) {
-  const RegionReport& region = plan.region;
-  std::vector<Panel> panels;
-  for (const LeakMap& map : region.maps)
-    if (any_finite(map.leak_mm2)) panels.push_back(map_panel(map, plan.plan));
-  const bool maps = !panels.empty();
-  if (!region.remodelling.empty()) panels.push_back(remodelling_panel(region.remodelling));
-  if (std::isfinite(region.indices.total[0]))
-    panels.push_back(indices_panel(region.indices, plan.plan));
-  panels.push_back(coaptation_panel(before, plan.measure));
-  std::string svg;
-  if (maps)
-    svg = draw_scale({0.0, kLeakLimits_mm2.back(), 0, kLeakLimits_mm2},
-                     "Leak, mm². Frame: the plan. Both muscles: mean over posterior angles.", 60.0,
-                     12.0);
-  const CellGrid grid{static_cast<int>(panels.size()), columns_for(panels.size()),
-                      maps ? kScaleHeight : 4.0, kPanelHeight};
-  for (int i = 0; i < grid.count; ++i) svg += panels[static_cast<std::size_t>(i)](cell(grid, i));
-  return figure_svg("Evidence for rank " + std::to_string(plan.rank), svg, {bottom_of(grid)});
+  return drawn_evidence(plan, before, kFull);
+}
+
+std::string brief_evidence_svg(const RankedPlan& plan, const ValveMeasure& before) {
+  return drawn_evidence(plan, before, kBrief);
 }
 
 }  // namespace coapt

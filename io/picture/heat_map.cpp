@@ -29,10 +29,11 @@ std::string draw_cell(const Place& at, double value, const HeatScale& scale) {
                            "\" height=\"" + fixed(at.height - 1.0, 1) + "\"/>\n";
   if (!std::isfinite(value)) return "<rect class=\"empty grid\" fill=\"none" + size;
   const std::string shade = shade_of(scale, value);
-  return "<rect class=\"cell solid " + shade + size +
-         text_at(at.left + 0.5 * at.width, at.top + 0.5 * at.height + 3.5,
-                 "text-anchor=\"middle\" class=\"small on" + shade.substr(1) + "\"",
-                 fixed(value, scale.decimals));
+  const std::string cell = "<rect class=\"cell solid " + shade + size;
+  if (scale.decimals < 0) return cell;
+  return cell + text_at(at.left + 0.5 * at.width, at.top + 0.5 * at.height + 3.5,
+                        "text-anchor=\"middle\" class=\"small on" + shade.substr(1) + "\"",
+                        fixed(value, scale.decimals));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct HeatMap {
 /// `low` to `high`: the colour scale's ends, which values beyond take, too.
 struct HeatScale {
   double low = 0.0, high = 1.0;
-  int decimals = 0;  ///< of the values written in the cells
+  int decimals = 0;  ///< of the values written in the cells; below 0: none are
   /// Where the shades change, ascending, kShades - 1 of them; empty: evenly from low to high.
   std::span<const double> limits{};
 };

@@ -8,8 +8,7 @@
 namespace coapt {
 namespace {
 
-constexpr Colour kA1{0.94, 0.70, 0.65}, kA2{0.88, 0.52, 0.47}, kP1{0.97, 0.83, 0.66},
-    kP2{0.92, 0.70, 0.45}, kCommissural{0.80, 0.78, 0.62};
+constexpr double kOuterThirds = 0.22;  // of the way to white, as on the page
 
 std::vector<PaintedFace> tinted_faces(const Drawing& drawing, const TintedMesh& mesh) {
   const Eye& eye = drawing.eye;
@@ -44,19 +43,19 @@ Colour segment_colour(Segment segment) {
   switch (segment) {
     case Segment::A1:
     case Segment::A3:
-      return kA1;
+      return mixed(palette::kAnterior, palette::kPaper, kOuterThirds);
     case Segment::A2:
-      return kA2;
+      return palette::kAnterior;
     case Segment::P1:
     case Segment::P3:
-      return kP1;
+      return mixed(palette::kPosterior, palette::kPaper, kOuterThirds);
     case Segment::P2:
-      return kP2;
+      return palette::kPosterior;
     case Segment::AC:
     case Segment::PC:
       break;
   }
-  return kCommissural;
+  return palette::kCommissure;
 }
 
 void paint_meshes(const Drawing& drawing, const std::vector<TintedMesh>& meshes) {

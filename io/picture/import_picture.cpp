@@ -20,7 +20,8 @@ constexpr double kColumn = (kImportWidth - 4.0 * kEdge) / 3.0;
 constexpr double kRoom = 70.0;   // px beside the valve, for words
 constexpr double kFar_mm = 1.0;  // where the colours of distances end
 
-constexpr Colour kGiven{0.60, 0.68, 0.78};  // a skirt: its leaflets are not told apart
+constexpr double kCutEdge = 0.3;  // darker than the leaflet, as on the page
+constexpr Colour kBlack{};
 constexpr Colour kNear{0.93, 0.93, 0.91}, kAway{0.45, 0.10, 0.50};
 
 const Eye kFromAtrium{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -67,7 +68,7 @@ std::vector<TintedMesh> given_meshes(const ImportInput& input) {
   std::vector<TintedMesh> meshes;
   for (const TriangleMesh& mesh : input.leaflets) {
     const Colour colour = input.leaflets.size() < 2
-                              ? kGiven
+                              ? palette::kSurface
                               : segment_colour(meshes.empty() ? Segment::A2 : Segment::P2);
     meshes.push_back(
         {mesh.vertices_mm, mesh.faces,
@@ -211,13 +212,12 @@ void draw_middle(const Canvas& canvas, const Sheet& sheet, const ImportedValve& 
   const Box box = sheet.box(2, 1);
   const Drawing drawing{canvas, kSection, sheet.map(box, kSection)};
   for (const TriangleMesh& mesh : imported.input.leaflets)
-    draw_cut(drawing, mesh.vertices_mm, mesh.faces, 7.0, [](int) {
-      return Colour{0.78, 0.83, 0.89};
-    });
+    draw_cut(drawing, mesh.vertices_mm, mesh.faces, 7.0,
+             [](int) { return mixed(palette::kSurface, palette::kPaper, 0.4); });
   const std::vector<Leaflet> sides = leaflet_sides(imported.valve);
   draw_cut(drawing, imported.valve.rest_mm, imported.valve.faces, 3.0, [&](int face) {
-    return sides[static_cast<std::size_t>(face)] == Leaflet::Anterior ? Colour{0.80, 0.32, 0.26}
-                                                                      : Colour{0.80, 0.50, 0.15};
+    const bool is_anterior = sides[static_cast<std::size_t>(face)] == Leaflet::Anterior;
+    return mixed(is_anterior ? palette::kAnterior : palette::kPosterior, kBlack, kCutEdge);
   });
   draw_scale_bar(canvas, {box, sheet.pixels_per_mm});
 }
@@ -283,10 +283,10 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
   head(0, 0,
        std::string("Input, seen from the atrium: ") +
            (count == 1 ? "one surface" : std::to_string(count) + " surfaces"));
-  head(1, 0, "Resulting valve: " + std::to_string(imported.valve.faces.rows()) + " triangles");
+  head(1, 0, "Resulting valve: " + counted(imported.valve.faces.rows(), "triangle"));
   head(2, 0, third);
   head(0, 1, "Input, seen from posterior: anterolateral left");
-  head(1, 1, "The valve: " + std::to_string(imported.valve.chordae.size()) + " chordae");
+  head(1, 1, "The valve: " + counted(std::ssize(imported.valve.chordae), "chorda", "chordae"));
   head(2, 1, "Section through the middle, anterior left; pale: input");
   draw_text(canvas, {0.5 * kImportWidth, kImportHeight - 14.0}, std::string(kResearchNotice),
             {13.0, palette::kMuted, Align::Centre}, kImportWidth - 2.0 * kEdge);

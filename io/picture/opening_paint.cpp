@@ -12,7 +12,7 @@ constexpr double kLabelled_mm2 = 0.5;  // smaller openings are coloured, not lab
 void draw_pill(const Canvas& canvas, const Vec2& from, const Vec2& to, const std::string& text) {
   const TextStyle style{15.0, palette::kPaper, Align::Centre, true};
   cairo_t* cairo = canvas.context.get();
-  set_colour(canvas, palette::kOrifice);
+  set_colour(canvas, palette::kOpening);
   cairo_set_line_width(cairo, 2.0);
   cairo_move_to(cairo, from.x(), from.y());
   cairo_line_to(cairo, to.x(), to.y());
@@ -30,7 +30,7 @@ void draw_pill(const Canvas& canvas, const Vec2& from, const Vec2& to, const std
 void paint_openings(const Canvas& canvas, const Leak& leak, const AnnulusFrame& plane,
                     const Mapping& map, double share) {
   cairo_t* cairo = canvas.context.get();
-  Colour colour = palette::kOrifice;
+  Colour colour = palette::kOpening;
   colour.alpha = share;
   set_colour(canvas, colour);
   cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
@@ -63,7 +63,7 @@ void draw_rims_of_openings(const Canvas& canvas, const Leak& leak, const Annulus
     cairo_close_path(cairo);
     cairo_new_sub_path(cairo);
   }
-  set_colour(canvas, palette::kOrifice);
+  set_colour(canvas, palette::kOpening);
   cairo_set_line_width(cairo, 0.2 * map.pixels_per_mm);
   cairo_stroke(cairo);
 }
@@ -71,7 +71,7 @@ void draw_rims_of_openings(const Canvas& canvas, const Leak& leak, const Annulus
 void draw_opening_cuts(const Canvas& canvas, const Leak& leak, const SectionPlane& plane,
                        const SectionMap& map) {
   cairo_t* cairo = canvas.context.get();
-  set_colour(canvas, palette::kOrifice);
+  set_colour(canvas, palette::kOpening);
   cairo_set_line_width(cairo, 3.0);
   for (const LeakOpening& opening : leak.openings)
     for (const SectionLine& line : cut(opening.surface.faces, opening.surface.points_mm, plane)) {

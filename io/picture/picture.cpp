@@ -142,6 +142,17 @@ std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after)
   return to_png(canvas);
 }
 
+std::string after_pair_png(const ClosedValve& after) {
+  constexpr int kWidth = 960, kHeight = 300;
+  const Canvas canvas = make_canvas(kWidth, kHeight, kDense);
+  fill_box(canvas, {0.0, 0.0, kWidth, kHeight}, palette::kPaper);
+  const Box atrial{0.0, 4.0, 0.5 * kWidth - 4.0, kHeight - 8.0};
+  const Box section{0.5 * kWidth + 4.0, 4.0, 0.5 * kWidth - 4.0, kHeight - 8.0};
+  draw_atrial_view(canvas, {atrial, atrial_scale(atrial, after)}, after);
+  draw_section_view(canvas, {section, section_scale(section, after)}, after);
+  return to_png(canvas);
+}
+
 std::string section_change_png(const ClosedValve& before, const ClosedValve& after) {
   constexpr int kWidth = 470, kHeight = 304;
   const Canvas canvas = make_canvas(kWidth, kHeight, kDense);

@@ -17,6 +17,8 @@ std::string comparison_picture_png(const ClosedValve& before, const ClosedValve&
 /// PNG bytes, for a page that says the figures itself: before and after from the atrium in one scale, with
 /// a legend; and the section of after, before behind it in grey.
 std::string atrial_pair_png(const ClosedValve& before, const ClosedValve& after);
+/// PNG bytes, as wide as atrial_pair_png(): after from the atrium, and its section.
+std::string after_pair_png(const ClosedValve& after);
 std::string section_change_png(const ClosedValve& before, const ClosedValve& after);
 
 }  // namespace coapt

@@ -221,8 +221,8 @@ std::string population_study_page(const PopulationStudy& study, const std::strin
       {"In short", sentences, "", {}},
       {"Best repair",
        "Repair with the lowest cost of the search (leak, its spread, effort), over " +
-           std::to_string(study.nodes) +
-           " closures of each repair. As good: its cost is less than 1 mm² higher, the weight of "
+           counted(study.nodes, "closure") +
+           " of each repair. As good: its cost is less than 1 mm² higher, the weight of "
            "one step.",
        wins_svg(study),
        {}},

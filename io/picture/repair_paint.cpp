@@ -42,10 +42,10 @@ void draw_thread(const Canvas& canvas, const Vec2& from, const Vec2& to, const S
 }
 
 constexpr Stroke kBeforeStroke = {palette::kMuted, 1.8, 6.0, 5.0};
-constexpr Stroke kSutureStroke = {palette::kSuture, 3.0, 10.0, 6.0};
-constexpr Stroke kTieStroke = {palette::kSuture, 4.5};
-constexpr Stroke kSeamStroke = {palette::kSuture, 2.2, 4.0, 4.0};
-constexpr Stroke kNeochordaStroke = {palette::kNeochorda, 3.2, 0.1, 6.0};  // round ends: dots
+constexpr Stroke kSutureStroke = {palette::kAdded, 3.0, 10.0, 6.0};
+constexpr Stroke kTieStroke = {palette::kAdded, 4.5};
+constexpr Stroke kSeamStroke = {palette::kAdded, 2.2, 4.0, 4.0};
+constexpr Stroke kNeochordaStroke = {palette::kAdded, 3.2, 0.1, 6.0};  // round ends: dots
 
 /// `trace` adds the path, as often as it is called.
 template <class Trace>
@@ -87,7 +87,7 @@ void draw_tie(const Canvas& canvas, const Vec2& from, const Vec2& to) {
   draw_thread(canvas, from, to, kTieStroke);
   for (const Vec2& end : {from, to}) {
     fill_circle(canvas, end, 5.0, palette::kPaper);
-    fill_circle(canvas, end, 3.8, palette::kSuture);
+    fill_circle(canvas, end, 3.8, palette::kAdded);
   }
 }
 
@@ -206,7 +206,7 @@ void draw_sutures(const RepairSheet& sheet, const ClosedValve& closed) {
     draw_thread(sheet.canvas, head, leaflet, kNeochordaStroke);
     draw_tip(sheet.canvas, head, false);
     fill_circle(sheet.canvas, leaflet, 5.0, palette::kPaper);
-    fill_circle(sheet.canvas, leaflet, 3.8, palette::kNeochorda);
+    fill_circle(sheet.canvas, leaflet, 3.8, palette::kAdded);
   }
   for (const auto& [from_mm, to_mm] : ties_mm(closed))
     draw_tie(sheet.canvas, sheet.place(from_mm), sheet.place(to_mm));
@@ -214,7 +214,7 @@ void draw_sutures(const RepairSheet& sheet, const ClosedValve& closed) {
     const Vec2 tip = sheet.place(suture.tip_mm), anchor = sheet.place(suture.anchor_mm);
     draw_thread(sheet.canvas, tip, anchor, kSutureStroke);
     fill_box(sheet.canvas, {anchor.x() - 6.5, anchor.y() - 6.5, 13.0, 13.0}, palette::kPaper);
-    fill_box(sheet.canvas, {anchor.x() - 5.0, anchor.y() - 5.0, 10.0, 10.0}, palette::kSuture);
+    fill_box(sheet.canvas, {anchor.x() - 5.0, anchor.y() - 5.0, 10.0, 10.0}, palette::kAdded);
     draw_way(sheet.canvas, sheet.place(suture.tip_before_mm), tip);
     const bool al = suture.side == Side::Anterolateral;  // outwards, so that the two stay apart
     draw_text(sheet.canvas, tip + Vec2(al ? -kTipRadius - 6.0 : kTipRadius + 6.0, 5.0),

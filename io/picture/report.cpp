@@ -3,6 +3,9 @@
 #include "io/picture/report.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <ctime>
 
 #include "io/json/plan_json.h"
 #include "io/picture/html.h"
@@ -55,7 +58,7 @@ std::string drawn(const ReportPicture& picture, const ClosedValve& before,
     case ReportPicture::View::SectionChange:
       return base64(section_change_png(before, after.at(picture.plan)));
     case ReportPicture::View::After:
-      return base64(closure_picture_png(after.at(picture.plan)));
+      return base64(after_pair_png(after.at(picture.plan)));
   }
   return "";
 }
@@ -88,7 +91,20 @@ std::string plan_report_html(const PlanReport& report) {
     html += first_page(report) + contents + ranked_section(report) + evidence_section(report);
   html += search_section(report.result) + limits_section() + reproduction_section(report);
   const std::string header = shortened(report.before.valve.name, kLongestHeader);
-  return html_page({title_of(report), valve_words(report.before), report_page_style(header)}, html);
+  const std::string lead =
+      (report.date.empty() ? "" : report.date + ". ") + valve_words(report.before);
+  return html_page({title_of(report), lead, report_page_style(header, report.date)}, html);
+}
+
+std::string today() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm day{};
+  localtime_r(&now, &day);
+  static constexpr std::array kMonths = {"January",   "February", "March",    "April",
+                                         "May",       "June",     "July",     "August",
+                                         "September", "October",  "November", "December"};
+  return std::to_string(day.tm_mday) + ' ' + kMonths[static_cast<std::size_t>(day.tm_mon)] + ' ' +
+         std::to_string(1900 + day.tm_year);
 }
 
 PlanPictures pictures_of(const SearchResult& result) {
@@ -99,7 +115,7 @@ PlanPictures pictures_of(const SearchResult& result) {
 
 std::string plan_report_html(const SearchResult& result, const SearchRequest& request) {
   const PlanPictures pictures = pictures_of(result);
-  return plan_report_html({pictures.before, pictures.after, result, request});
+  return plan_report_html({pictures.before, pictures.after, result, request, 0, today()});
 }
 
 }  // namespace coapt

@@ -24,6 +24,7 @@ struct PlanReport {
   const SearchResult& result;
   const SearchRequest& request;
   int about = 0;  ///< rank of the one plan that it is about; 0: all of them, the first in front
+  std::string date = {};  ///< "28 November 2026"; empty: none
   /// What stands for a picture, in base64; empty: it is drawn.
   std::function<std::string(const ReportPicture&)> picture = {};
 };
@@ -44,8 +45,11 @@ struct PlanPictures {
 /// @pre the search kept its closures
 PlanPictures pictures_of(const SearchResult& result);
 
-/// The report on all plans.
+/// The report on all plans, of today.
 std::string plan_report_html(const SearchResult& result, const SearchRequest& request);
+
+/// Of this day, where this program runs: "28 November 2026".
+std::string today();
 
 /// Index of the plan in front. @pre there are plans.
 std::size_t plan_in_front(const PlanReport& report);

@@ -219,7 +219,7 @@ std::string how_sure(const RankedPlan& plan) {
         "Leak: the smallest area through which blood can flow back. Errors of execution: suture "
         "length (without a suture, the distance from tip to trigone) by up to 1 mm and direction "
         "of the tips by up to 5°, in " +
-        grouped(plan.region.closures) + (plan.region.closures == 1 ? " closure" : " closures");
+        grouped(plan.region.closures) + ' ' + noun_of(plan.region.closures, "closure");
     if (plan.region.failures > 0)
       words += ", " + std::to_string(plan.region.failures) + " of which failed and are excluded";
     words += ". ";
@@ -307,7 +307,7 @@ std::string others(const PlanReport& report, std::size_t front) {
 std::string first_page(const PlanReport& report) {
   const std::size_t front = plan_in_front(report);
   const RankedPlan& plan = report.result.plans[front];
-  return "<section class=\"first\">\n" + diagnosis(report) + verdict(report, plan) +
+  return diagnosis(report) + "<section class=\"first\">\n" + verdict(report, plan) +
          operation(report, plan) + pictures(report, front) +
          "<div class=\"key\"><h3>Key figures and their uncertainty</h3>\n" +
          figures(report.result, plan) + how_sure(plan) + "</div>\n" + care(plan) +

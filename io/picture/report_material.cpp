@@ -168,7 +168,7 @@ Expected<MaterialParts> parts_of(std::string_view material) {
 ReportMaterial report_material(const SearchResult& result, const SearchRequest& request) {
   PlanPictures pictures = pictures_of(result);
   ReportMaterial material{{}, std::move(pictures.before), std::move(pictures.after)};
-  PlanReport report{material.before, material.after, result, request, 0, place_mark};
+  PlanReport report{material.before, material.after, result, request, 0, today(), place_mark};
   material.pages.push_back(plan_report_html(report));
   for (const RankedPlan& plan : result.plans) {
     report.about = plan.rank;

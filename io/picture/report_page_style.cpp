@@ -51,14 +51,13 @@ html{font-size:11.6px}
 body{font-size:1rem;line-height:1.27}
 .first dl div{padding:.2rem .5rem}.first dl{gap:.35rem}
 .first>.robust,.first>.least-bad,.notice{margin:.25rem 0}
-.first figure{margin:.2rem 0}.cut img{width:auto;max-width:100%;max-height:50mm}.first .plan li{margin-bottom:.2rem}
+.first figure{margin:.2rem 0}.atrial img{width:auto;max-width:100%;max-height:54mm}.cut img{width:auto;max-width:100%;max-height:46mm}.first .plan li{margin-bottom:.2rem}
 main{padding:0;max-width:none}
 h1{font-size:1.3rem}
 .contents{display:none}
 .notice,.robust,.least-bad{border:1.5px solid currentColor;border-radius:4px}
-.first{break-after:page}
-section[id]{break-before:page}
-#reproduce{break-before:auto}
+h2{margin:1.4rem 0 .4rem}
+figure{margin:.5rem 0}
 figure,dl,pre,.care,.operation,li,tr{break-inside:avoid}
 table{break-inside:auto}thead{display:table-header-group}
 table.whole{break-inside:avoid}
@@ -67,14 +66,14 @@ h2,h3,h4,summary{break-after:avoid}
 details{border:0;padding:0;margin:0}
 summary{list-style:none}
 .fold>summary{display:none}
-.plan-evidence{break-before:page}.plan-evidence:first-of-type{break-before:auto}
+.plan-evidence{margin-top:.9rem}
 img,.chart{border-radius:0}
 .chart{padding:.2rem}
 .this td,.this th{font-weight:700}
 a{color:inherit;text-decoration:none}
 .dense{font-size:.86rem}.first .dense td,.first .dense th,.dense td,.dense th{padding:.15rem .25rem}
-.plan-evidence table,#search table{font-size:.84rem}
-.plan-evidence :is(td,th),#search :is(td,th){padding:.2rem .4rem}
+#evidence table,#search table{font-size:.84rem}
+#evidence :is(td,th),#search :is(td,th){padding:.15rem .4rem}
 .narrow{max-width:135mm}
 .dense .words{min-width:11rem}
 .chart .coapt-panels .tick,.chart .coapt-panels .small{font-size:13px;opacity:1}
@@ -109,10 +108,11 @@ std::string margin_box(const char* place, const std::string& content) {
 
 }  // namespace
 
-std::string report_page_style(const std::string& valve_name) {
+std::string report_page_style(const std::string& valve_name, const std::string& date) {
   return std::string(kFirstPage) + std::string(kPrint) + "@page{margin:12mm 12mm 11mm;\n" +
          margin_box("top-left", css_string(valve_name)) +
-         margin_box("top-right", css_string("coapt " + std::string(version()) + " repair plans")) +
+         margin_box("top-right", css_string((date.empty() ? "" : date + ", ") + "coapt " +
+                                            std::string(version()))) +
          margin_box("bottom-left", css_string(kResearchNotice)) +
          margin_box("bottom-right", "\"page \" counter(page) \" of \" counter(pages)") + "}\n";
 }

@@ -61,6 +61,11 @@ std::string ahead_words(const RankedPlan& plan) {
   return plan.ties_with_next ? "same class" : percent(ahead);
 }
 
+/// As on the page: with the closure on the finer mesh and what it does not outlast.
+double ranked_cost(const RankedPlan& plan) {
+  return plan.cost + plan.fine_cost_change + plan.durability_price;
+}
+
 std::string rows_of(const RankedPlan& plan) {
   const LeakStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& to_leak = plan.region.margin_to_leak;
@@ -73,7 +78,7 @@ std::string rows_of(const RankedPlan& plan) {
        {with_error(plan.measure.leak.area_mm2, plan.measure.leak_error_mm2), mean_and_sd(leak),
         fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5), suture_margin(to_leak),
         angle_margin(to_leak), fixed(plan.measure.coaptation.height_mean_mm, 1),
-        fixed(plan.measure.tension_max_n, 2), fixed(plan.cost, plan.cost < 1000.0 ? 1 : 0),
+        fixed(plan.measure.tension_max_n, 2), fixed(ranked_cost(plan), plan.cost < 1000.0 ? 1 : 0),
         ahead_words(plan)})
     html += cell(figure);
   html += "</tr>\n";

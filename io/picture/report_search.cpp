@@ -75,7 +75,7 @@ std::string progress_chart(const SearchResult& result) {
 bool is_search(const SearchResult& result) { return result.branches > 0 || result.plans.empty(); }
 
 std::string counts(const SearchResult& result) {
-  std::string words = grouped(result.closures) + (result.closures == 1 ? " closure" : " closures") +
+  std::string words = grouped(result.closures) + ' ' + noun_of(result.closures, "closure") +
                       (std::isnan(result.seconds) ? "" : " in " + fixed(result.seconds, 1) + " s") +
                       ", including ranking; " + grouped(result.closures_not_converged) +
                       " did not converge, " + grouped(result.closures_crossed) + " crossed";
@@ -83,9 +83,9 @@ std::string counts(const SearchResult& result) {
     words += ", " + grouped(result.closures_known) + " were reused from an earlier run";
   words += ". ";
   if (is_search(result))
-    words += grouped(result.plans_tried) + " plans tried of " + grouped(result.plans_possible) +
-             " possible ones in " + grouped(result.branches) +
-             (result.branches == 1 ? " branch. " : " branches. ");
+    words += grouped(result.plans_tried) + ' ' + noun_of(result.plans_tried, "plan") +
+             " tried of " + grouped(result.plans_possible) + " possible ones in " +
+             grouped(result.branches) + ' ' + noun_of(result.branches, "branch", "branches") + ". ";
   words += is_search(result) ? stop_sentence(result.stop)
                              : "The given plans were scored as a search scores its finalists.";
   return "<p>" + escape_html(words) + "</p>\n";

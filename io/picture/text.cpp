@@ -85,10 +85,6 @@ std::string percent(double share) {
   return fixed(value, near_an_end ? 1 : 0) + " %";
 }
 
-std::string counted(long count, std::string_view noun) {
-  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
 std::string escape_html(std::string_view text) {
   std::string safe;
   for (const char c : printable(text)) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/metrics/estimate.h"
+#include "core/valve/counted.h"
 #include "core/valve/printable.h"
 
 namespace coapt {
@@ -36,9 +37,6 @@ std::string grouped(std::int64_t count);
 
 /// A share of 1: "62 %"; with a decimal near nothing and all, "99.2 %"; "n/a" if not finite.
 std::string percent(double share);
-
-/// "1 triangle", "2 triangles".
-std::string counted(long count, std::string_view noun);
 
 /// printable(), and safe in HTML text and quoted attributes.
 std::string escape_html(std::string_view text);

@@ -11,16 +11,6 @@
 namespace coapt {
 namespace {
 
-/// Less is better; what is not acceptable comes after all that is.
-int tier(const PlanMerits& plan, double acceptable) {
-  if (plan.rejected) return 6;
-  if (!plan.trusted) return 5;
-  if (plan.fails_often) return 4;
-  if (plan.stenotic) return 3;
-  if (!is_acceptable(plan, acceptable)) return 2;
-  return plan.avoidable_warnings > 0 ? 1 : 0;
-}
-
 bool is_simpler(const PlanMerits& a, const PlanMerits& b) {
   const auto merits = [](const PlanMerits& plan) {
     return std::tuple(plan.steps, plan.muscles, plan.free_anchors, plan.resections,
@@ -68,17 +58,47 @@ bool is_acceptable(const PlanMerits& plan, double acceptable) {
          plan.acceptable_probability >= acceptable && plan.closes_finely;
 }
 
+PlanTier tier_of(const PlanMerits& plan, double acceptable) {
+  if (plan.rejected) return PlanTier::Rejected;
+  if (!plan.trusted) return PlanTier::Untrusted;
+  if (plan.fails_often) return PlanTier::FailsOften;
+  if (plan.stenotic) return PlanTier::Stenotic;
+  if (!is_acceptable(plan, acceptable)) return PlanTier::NotAcceptable;
+  return plan.avoidable_warnings > 0 ? PlanTier::Warned : PlanTier::Acceptable;
+}
+
+const char* to_string(PlanTier tier) {
+  switch (tier) {
+    case PlanTier::Acceptable:
+      return "acceptable";
+    case PlanTier::Warned:
+      return "warned";
+    case PlanTier::NotAcceptable:
+      return "not_acceptable";
+    case PlanTier::Stenotic:
+      return "stenotic";
+    case PlanTier::FailsOften:
+      return "fails_often";
+    case PlanTier::Untrusted:
+      return "untrusted";
+    case PlanTier::Rejected:
+      return "rejected";
+  }
+  return "";
+}
+
 std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price,
                                 const OrderThresholds& thresholds) {
   std::vector<PlanPlace> order;
   int of_class = 0;
-  for (int now = 0; now <= 6; ++now) {
+  for (int tier = 0; tier < kPlanTiers; ++tier) {
+    const auto now = static_cast<PlanTier>(tier);
     std::vector<int> left;
     for (int i = 0; i < std::ssize(plans); ++i)
-      if (const int of = tier(plans[i], thresholds.acceptable);
-          (by_price && of == 1 ? 0 : of) == now)
+      if (const PlanTier of = tier_of(plans[i], thresholds.acceptable);
+          (by_price && of == PlanTier::Warned ? PlanTier::Acceptable : of) == now)
         left.push_back(i);
-    if (now > 1 || by_price) {
+    if (now > PlanTier::Warned || by_price) {
       std::stable_sort(left.begin(), left.end(), [&](int a, int b) {
         if (!by_price && plans[a].acceptable_probability != plans[b].acceptable_probability)
           return plans[a].acceptable_probability > plans[b].acceptable_probability;

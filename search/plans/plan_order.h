@@ -30,6 +30,19 @@ struct PlanMerits {
   double cost = 0.0;
 };
 
+/// What ranks before all else, best first. What is not acceptable comes after all that is.
+enum class PlanTier {
+  Acceptable,     ///< without a warning that another plan may well do without
+  Warned,         ///< acceptable, with such a warning
+  NotAcceptable,  ///< is_acceptable(), and none of those below
+  Stenotic,
+  FailsOften,
+  Untrusted,
+  Rejected,
+};
+inline constexpr int kPlanTiers = 7;
+const char* to_string(PlanTier tier);  ///< "acceptable", "warned", "not_acceptable", ...
+
 /// From that probability on a plan is acceptable.
 inline constexpr double kAcceptable = 0.95;
 
@@ -49,6 +62,8 @@ std::vector<OrderThresholds> threshold_settings();
 
 /// Trusted, varied, seldom failing, not rejected, not stenotic, mild with that probability, on the finer mesh, too.
 bool is_acceptable(const PlanMerits& plan, double acceptable = kAcceptable);
+
+PlanTier tier_of(const PlanMerits& plan, double acceptable = kAcceptable);
 
 struct PlanPlace {
   int index = 0;     ///< into the plans given

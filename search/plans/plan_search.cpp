@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/repair/apply_plan.h"
+#include "core/valve/counted.h"
 #include "search/plans/exploration.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/front_search.h"
@@ -73,9 +74,12 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   if (options.evidence)
     for (RankedPlan& plan : result.plans)
       plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
-  if (options.evidence && !result.plans.empty())
-    result.plans.front().other_anchors =
-        compare_anchors(evaluations, evaluations.record(result.plans.front().plan), options);
+  if (options.evidence && !result.plans.empty()) {
+    RankedPlan& first = result.plans.front();
+    const PlanRecord& record = evaluations.record(first.plan);
+    first.other_anchors = compare_anchors(evaluations, record, options);
+    first.tolerance = step_tolerances(evaluations, record);
+  }
   result.opening_before = evaluations.opening_before();
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
@@ -188,8 +192,7 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   result.random_progress = random_progress(exploration);
   result.ladder = ladder_of(exploration);
   for (const auto& [rule, count] : evaluations.rejections())
-    result.cut.push_back(
-        {std::to_string(count) + (count == 1 ? " plan" : " plans"), "rejected by rule " + rule});
+    result.cut.push_back({counted(count, "plan"), "rejected by rule " + rule});
   result.branches = static_cast<int>(space.branches().size());
   for (const Branch& branch : space.branches()) result.plans_possible += point_count(branch);
 

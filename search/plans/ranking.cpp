@@ -384,6 +384,7 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     merits.back().closes_finely = closes_finely(plan);
     plan.acceptable_probability = merits.back().acceptable_probability;
     plan.is_acceptable = is_acceptable(merits.back());
+    plan.tier = tier_of(merits.back());
     if (const auto drawn = model.plans.find(record); drawn != model.plans.end())
       plan.model = model_spread(drawn->second);
     plan.estimates = plan_estimates(evaluations, *record, plan.measure, nodes, fine, model);

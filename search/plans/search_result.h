@@ -15,10 +15,12 @@
 #include "search/plans/ladder.h"
 #include "search/plans/model_closures.h"
 #include "search/plans/plan_estimates.h"
+#include "search/plans/plan_order.h"
 #include "search/plans/plan_space.h"
 #include "search/plans/region_report.h"
 #include "search/plans/search_progress.h"
 #include "search/plans/start_check.h"
+#include "search/plans/tolerance.h"
 
 namespace coapt {
 
@@ -65,12 +67,14 @@ struct RankedPlan {
   /// With the evidence; else none.
   std::optional<StartCheck> starts{};
   std::vector<OtherAnchor> other_anchors{};  ///< with the evidence, of the first plan
+  std::vector<ToleranceCurve> tolerance{};   ///< likewise
   std::vector<Gate> gates;
   std::vector<std::string> warnings;  ///< of gates and region, in words
   /// That the valve leaks less than kMildLeak_mm2, over errors of execution, tissue and mesh (acceptance.h).
   double acceptable_probability = 0.0;
   bool is_acceptable = false;  ///< plan_order.h
-  int of_class = 0;            ///< from 1: plans of one class cannot be told apart
+  PlanTier tier = PlanTier::NotAcceptable;
+  int of_class = 0;  ///< from 1: plans of one class cannot be told apart
   bool simplest_of_class = false;
   bool ties_with_next = false;  ///< of one class
   /// That it is rightly before the next plan (acceptance.h). NaN for the last, and where one node was closed.

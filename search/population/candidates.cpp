@@ -8,6 +8,7 @@
 #include "core/repair/limits.h"
 #include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
+#include "core/valve/counted.h"
 #include "core/valve/leaflet_coordinates.h"
 #include "search/plans/gates.h"
 #include "search/plans/lesion.h"
@@ -41,8 +42,7 @@ std::string anchor_words(Anchor anchor) {
 
 std::string ring_words(int sizes_below) {
   return sizes_below == 0 ? "own ring, not undersized"
-                          : "own ring, " + std::to_string(sizes_below) +
-                                (sizes_below == 1 ? " size" : " sizes") + " below";
+                          : "own ring, " + counted(sizes_below, "size") + " below";
 }
 
 void add_rings(std::vector<CandidateRepair>& all) {

@@ -44,7 +44,7 @@ from .errors import (
     Unreachable,
 )
 from .events import Event, LeadingPlan, Progress
-from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table
+from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table, Tolerance
 from .fits import Fit, FitResult, FittedParameter, ImportResult
 from .jobs import Job, show_progress
 from .leaks import Leak, LeakOpening
@@ -153,6 +153,7 @@ __all__ = [
     "Sweep",
     "SweepItem",
     "Table",
+    "Tolerance",
     "Trial",
     "Unreachable",
     "Valve",

@@ -81,7 +81,7 @@ class Progress(tables.Short):
     def __str__(self) -> str:
         best = "" if self.best_leak_mm2 is None else f", lowest planned leak {self.best_leak_mm2:.1f} mm2"
         if self.rms_mm is not None:
-            return f"{self.closures} closures, {self.stage}, {self.rms_mm:.2f} mm rms"
+            return f"{tables.counted(self.closures, 'closure')}, {self.stage}, {self.rms_mm:.2f} mm rms"
         return f"{self.closures} of {self.closures_planned} closures, {self.stage}{best}"
 
 

@@ -162,6 +162,33 @@ class Remodelling(tables.Short):
 
 
 @dataclass(frozen=True, repr=False)
+class Tolerance(tables.Short):
+    """Leak over the error of one step of a plan, the other steps as planned.
+
+    >>> coapt.Tolerance(0, "suture_length", (-1.0, 0.0, 1.0), (0.0, 0.1, 2.1), 0.45, True).margin_mm
+    0.45
+    """
+
+    step: int
+    """Index in Plan.steps."""
+    error: str
+    """"ring_size", "suture_length", "suture_anchor", "neochorda_length", "stitch_along_leaflet" or "stitch_towards_edge"."""
+    error_mm: tuple[float, ...]
+    """Ascending, with 0; impossible errors are left out."""
+    leak_mm2: tuple[float | None, ...]
+    """One for each error; None: the closure failed."""
+    margin_mm: float
+    """Smallest error in either direction with a leak above 1 mm2."""
+    leaks_beyond: bool
+    """False: no simulated error leaks more, so the margin may be larger."""
+
+    @classmethod
+    def from_json(cls, json: Mapping[str, Any]) -> Tolerance:
+        values = (tuple(json["error_mm"]), tuple(json["leak_mm2"]))
+        return cls(json["step"], json["error"], *values, json["margin_mm"], json["leaks_beyond"])
+
+
+@dataclass(frozen=True, repr=False)
 class Table(tables.Short):
     """CSV with a header line, units in the names of its columns; empty: not known.
 

@@ -10,7 +10,7 @@ from typing import Literal
 from . import frames, tables
 from .closures import Document, Measure, Status, known_fields
 from .errors import CoaptError
-from .evidence import LeakMap, LeakMaps, Remodelling
+from .evidence import LeakMap, LeakMaps, Remodelling, Tolerance
 from .meshes import Mesh, Picture
 from .repair import Plan
 from .transport import Transport
@@ -191,6 +191,11 @@ class RankedPlan(tables.Short):
         ['all three', 'apical', 'outwards', 'posterior']
         """
         return Remodelling.from_json(self.json["remodelling"])
+
+    @property
+    def tolerance(self) -> tuple[Tolerance, ...]:
+        """Leak over the error of each step; of the first plan alone, empty without evidence."""
+        return tuple(map(Tolerance.from_json, self.json.get("tolerance", ())))
 
     def picture(self) -> Picture:
         """The view from the atrium, before and after (PNG); of a search's plans alone, as mesh() and report().

@@ -100,7 +100,7 @@ class Sweep:
         self._close, self._valves, self._plans, self._threads, self._read = close, valves, plans, threads, read
 
     def __repr__(self) -> str:
-        return f"Sweep({len(self._plans)} plans, {self._threads} threads)"
+        return f"Sweep({tables.counted(len(self._plans), 'plan')}, {tables.counted(self._threads, 'thread')})"
 
     def to_frame(self) -> pandas.DataFrame:
         """Makes all closures: a row each, with the valve's and the plan's number and name, figures, trusted, error, and the plan's

@@ -45,6 +45,11 @@ def number(value: float | None, decimals: int = 1) -> str:
     return f"{round(value, decimals) + 0.0:.{decimals}f}"
 
 
+def counted(count: int, one: str, many: str = "") -> str:
+    """1 closure, 0 closures, 2 chordae."""
+    return f"{count} {one if count == 1 else many or one + 's'}"
+
+
 def with_error(value: float | None, error: float | None) -> str:
     """45.7 ± 2.1, 46 ± 5: the error to two digits where they are 10 to 35, else to one (Particle Data Group 2022, 5.3)."""
     if value is None or error is None:

@@ -42,6 +42,15 @@ function decimalsOf(error: number): number {
   return Math.min(MOST_DECIMALS, Math.max(0, (twoDigits ? 1 : 0) - exponent - (nextDecade ? 1 : 0)))
 }
 
+export function grouped(count: number): string {
+  return count.toLocaleString('en-GB')
+}
+
+/// "1 closure", "0 closures", "2,000 chordae"
+export function counted(count: number, one: string, many = `${one}s`): string {
+  return `${grouped(count)} ${count === 1 ? one : many}`
+}
+
 export function percent(share: number | null | undefined): string {
   return withUnit(share === null || share === undefined ? share : 100 * share, '%', 0)
 }

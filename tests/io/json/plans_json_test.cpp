@@ -1,5 +1,7 @@
 #include "io/json/plans_json.h"
 
+#include <limits>
+
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/version.h"
@@ -90,6 +92,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "times_first",
                                              "probability_outranks_next",
                                              "acceptable_probability",
+                                             "tier",
                                              "class",
                                              "simplest_of_class",
                                              "tie_with_next",
@@ -102,6 +105,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "sobol",
                                              "independent_leak_mm2",
                                              "remodelling",
+                                             "tolerance",
                                              "gates",
                                              "warnings",
                                              "opening_area_mm2",
@@ -178,6 +182,23 @@ TEST(PlansJson, APlanStatesItsClosureOnTheFinerMesh) {
   result.fine_mesh = {};
   EXPECT_EQ(written(to_json(result))["fine_mesh"].dump(),
             R"({"levels":0,"triangles":null,"leak_before_mm2":null,"closures":0})");
+}
+
+TEST(PlansJson, TheFirstPlanStatesItsLeakOverTheErrorOfEachStep) {
+  SearchResult result = search_result();
+  result.plans[0].tier = PlanTier::Warned;
+  result.plans[0].tolerance = {{1,
+                                StepError::SutureLength,
+                                {-1.0, 0.0, 1.0},
+                                {std::numeric_limits<double>::quiet_NaN(), 0.25, 2.5},
+                                0.75,
+                                true}};
+  const Json plans = written(to_json(result))["plans"];
+  EXPECT_EQ(plans[0]["tier"], "warned");
+  EXPECT_EQ(plans[0]["tolerance"].dump(),
+            R"([{"step":1,"error":"suture_length","error_mm":[-1.0,0.0,1.0],)"
+            R"("leak_mm2":[null,0.25,2.5],"margin_mm":0.75,"leaks_beyond":true}])");
+  EXPECT_EQ(plans[1]["tolerance"].dump(), "[]");
 }
 
 TEST(PlansJson, APlanStatesHowManyOfASampleEndElsewhereFromAColdStart) {

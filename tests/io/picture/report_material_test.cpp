@@ -47,8 +47,8 @@ TEST(ReportMaterial, MakesTheReportsOnAllPlansAndOnOneByteForByte) {
   ASSERT_EQ(*report_pages(material), 4u);
   std::size_t reports_size = 0;
   for (const int about : {0, 3}) {
-    const std::string report =
-        plan_report_html({pictures.before, pictures.after, result, search_request(), about});
+    const std::string report = plan_report_html(
+        {pictures.before, pictures.after, result, search_request(), about, today()});
     const Expected<std::string> page =
         report_page(material, static_cast<std::size_t>(about), valve);
     ASSERT_TRUE(page);

@@ -14,9 +14,10 @@ import type { View } from '../view'
 import { problemsOf } from '../workspace'
 import { arranged, COLUMNS, type Column, newRow, type Row } from './rows'
 import { droppedFiles } from './dropped'
-import type { SideBySide } from './side_by_side'
+import type { SideBySide } from '../viewer/side_by_side'
 import parts from '../style/parts.module.css'
 import cohortStyle from './cohort.module.css'
+import { counted } from '../format'
 
 const AT_ONCE = HAS_SERVICE ? 2 : 1 // closures
 const EVERY_MS = 3000 // while searches run
@@ -235,10 +236,10 @@ export class CohortView implements View {
       [...this.body.querySelectorAll<HTMLElement>('a, input')].find((other) => keyOf(other) === focused)?.focus()
     const closed = rows.filter(({ closure }) => closure)
     const leaking = closed.filter(({ closure }) => closure?.diagnosis && !closure.diagnosis.competent)
-    this.said.textContent = `${rows.length} valves, ${closed.length} closed; ${leaking.length} of them leak.`
+    this.said.textContent = `${counted(rows.length, 'valve')}, ${closed.length} closed; ${leaking.length} of them ${leaking.length === 1 ? 'leaks' : 'leak'}.`
     const left = this.toSearch().length
     this.search.disabled = left === 0
-    this.search.title = `Search for plans for the ${left} leaking valves in this list that have none.`
+    this.search.title = `Search for plans for ${counted(left, 'leaking valve')} in this list without any.`
   }
 
   /// Of three the one that was ticked first is left out.
@@ -249,9 +250,9 @@ export class CohortView implements View {
     this.compared.hidden = this.ticked.length < 2
     if (this.compared.hidden) return
     try {
-      this.pair ??= (await import('./side_by_side')).sideBySide()
+      this.pair ??= (await import('../viewer/side_by_side')).sideBySide()
       this.compared.replaceChildren(this.pair.element)
-      await this.pair.show(this.ticked)
+      await this.pair.show(this.ticked.map(({ name, reference }) => ({ name, reference, plan: null })))
     } catch (error) {
       this.compared.replaceChildren(problemList(problemsOf(error)))
     }

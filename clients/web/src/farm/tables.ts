@@ -2,9 +2,8 @@
 import type { Farm } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h, type Child } from '../dom'
-import { number, seconds } from '../format'
+import { grouped, number, seconds } from '../format'
 import { roughly } from '../jobs/pace'
-import { grouped } from '../jobs/progress_panel'
 import parts from '../style/parts.module.css'
 
 type Run = Farm['runs'][number]

@@ -1,7 +1,7 @@
 // What a running job does: stage, closures of planned, time gone and time left; and the way to end it.
 import type { Job, JobProgress } from '../api/types'
 import { button, h } from '../dom'
-import { seconds, withUnit, words } from '../format'
+import { grouped, seconds, withUnit, words } from '../format'
 import { problemList } from '../problems'
 import { problemsOf } from '../workspace'
 import { cancelJob } from './calls'
@@ -74,8 +74,4 @@ export function progressPanel(first: Job, what: string): ProgressPanel {
 
   change(first)
   return { element, show, change }
-}
-
-export function grouped(count: number): string {
-  return count.toLocaleString('en-GB')
 }

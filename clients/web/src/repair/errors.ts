@@ -39,7 +39,7 @@ const MILLIMETRE = { mm: 1, words: 'a millimetre' }
 const SIZE = { mm: 2, words: 'one size' } // of the transverse dimension
 const MOST_SIZES_BELOW = 6
 const ROUNDING = 1e-9
-const PART = 0.04 // of a leaflet's width or height, over which a millimetre is measured
+const PART = 0.04 // of a turn of the annulus, a leaflet's width or height, over which a millimetre is measured
 
 /// `handle`: which of the step's handles is grabbed, the first is 0. Null: of this step nothing can be varied.
 export function missesOf(step: Step, handle: number, anatomy: Anatomy, rings: Rings): Misses | null {
@@ -81,7 +81,8 @@ function sutureMisses(step: Approximation, isAnchor: boolean, { before, ringed }
   const tip = papillaryTip(before, step.side)
   const anchor = anchorPoint(ringed, step)
   const around = step.anchor === 'annulus_point' ? step.annulus_around : aroundOf(ringed, anchor)
-  const turn = 1 / ringed.closure.annulus.circumference_mm // of a millimetre
+  const ends = [around - PART / 2, around + PART / 2].map((place) => annulusPoint(ringed, place)) as [Vector, Vector]
+  const turn = PART / distance(...ends) // of a millimetre
   const anchorAt = (beside: number): Vector =>
     plus(anchor, minus(annulusPoint(ringed, around + turn * beside), annulusPoint(ringed, around)))
   return {

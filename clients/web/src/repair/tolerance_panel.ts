@@ -4,7 +4,7 @@ import type { Plan, Rings, Step, Vector } from '../api/types'
 import { lineChart, type DrawnChart } from '../charts/line_chart'
 import type { Series } from '../charts/series'
 import { h, select } from '../dom'
-import { number, withUnit } from '../format'
+import { counted, number, withUnit } from '../format'
 import { HAS_SERVICE } from '../mode'
 import { tellReadings, type ToleranceWords } from '../state/readings'
 import type { BubbleSurface } from '../viewer/bubble'
@@ -158,8 +158,8 @@ export class TolerancePanel {
     this.scale.replaceChildren(legend('leaflets', scale, []))
     const untrusted = known.samples.filter(({ leak_mm2 }) => leak_mm2 === null).length
     this.progress.textContent =
-      `${known.samples.length} closures${known.isDone ? '' : ', more in progress'}.` +
-      (untrusted > 0 ? ` ${untrusted} of them are unreliable and excluded.` : '')
+      `${counted(known.samples.length, 'closure')}${known.isDone ? '' : ', more in progress'}.` +
+      (untrusted > 0 ? ` ${untrusted} of them ${untrusted === 1 ? 'is' : 'are'} unreliable and excluded.` : '')
     this.drawCurves(misses, known, limit_mm2)
   }
 

@@ -3,8 +3,7 @@ import type { CostPoint, JobProgress } from '../api/types'
 import { lineChart } from '../charts/line_chart'
 import type { Series } from '../charts/series'
 import { h } from '../dom'
-import { number } from '../format'
-import { grouped } from '../jobs/progress_panel'
+import { counted, grouped, number } from '../format'
 import parts from '../style/parts.module.css'
 
 const SEARCH = { label: 'coapt', hue: 0 as const, look: 'steps' as const }
@@ -52,7 +51,7 @@ export function costSummary(series: Series[]): string {
   const since = ours?.x.find((_, i) => ours.y[i] === cost) ?? closures
   const other = random?.y.at(-1)
   return (
-    `Score ${number(cost, 2)} since ${grouped(since)} closures of ${grouped(closures)}.` +
+    `Score ${number(cost, 2)} since ${counted(since, 'closure')} of ${grouped(closures)}.` +
     (other === undefined
       ? ''
       : ` A random search would be expected to reach ${number(other, 2)} after ${grouped(random?.x.at(-1) ?? 0)}.`)

@@ -1,6 +1,6 @@
 // The figures of a ranked plan that matter, and which of two plans has the better one.
 import type { LeakMap, RankedPlan } from '../api/types'
-import { number, withUnit } from '../format'
+import { counted, number, withUnit } from '../format'
 import { rankedCost } from './price'
 
 // One closure of one plan is not known better than this (docs/researcher/accuracy.md, "Other equilibria").
@@ -192,7 +192,7 @@ export function doubts(plan: RankedPlan): string[] {
   if (plan.crossing) found.push('The leaflets cross.')
   if (plan.region_failures > 0)
     found.push(
-      `${plan.region_failures} of ${plan.region_closures} closures with errors of execution failed and are excluded.`,
+      `${plan.region_failures} of ${counted(plan.region_closures, 'closure')} with errors of execution failed and ${plan.region_failures === 1 ? 'is' : 'are'} excluded.`,
     )
   if (plan.region_closures < 2)
     found.push('The plan was not closed with errors of execution, so mean, sd and margin are unknown.')

@@ -5,6 +5,7 @@ import type { ScatterPoint } from '../charts/scatter_chart'
 import { h } from '../dom'
 import { number } from '../format'
 import { outlasts, shortSteps } from './plan_table'
+import { rankedCost } from './price'
 import { placeOf, tradeInWords, tradeOfFront } from './trade'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -59,18 +60,20 @@ export function frontTable(result: Plans): HTMLElement {
         numeric: true,
       })),
     ],
-    frontRows(result).map(({ name, plan }) => [
-      name,
-      shortSteps(plan.plan),
-      figure(plan.mean_mm2),
-      figure(plan.sd_mm2),
-      figure(plan.opening_mm2 == null ? null : plan.opening_mm2 / 100),
-      outlasts(plan),
-      figure(plan.cost),
-      plan.steps,
-      number(plan.ring_sizes_below),
-      plan.nodes,
-    ]),
+    frontRows(result)
+      .map(known(result))
+      .map(({ name, plan }) => [
+        name,
+        shortSteps(plan.plan),
+        figure(plan.mean_mm2),
+        figure(plan.sd_mm2),
+        figure(plan.opening_mm2 == null ? null : plan.opening_mm2 / 100),
+        outlasts(plan),
+        figure(plan.cost),
+        plan.steps,
+        number(plan.ring_sizes_below),
+        plan.nodes,
+      ]),
   )
   return h(
     'details',
@@ -83,6 +86,18 @@ export function frontTable(result: Plans): HTMLElement {
     ),
     h('div', { class: searchStyle.ranked }, table),
   )
+}
+
+/// A ranked plan has the same figures wherever it is shown: those over the points that it is ranked by.
+function known({ plans }: Plans): (row: FrontRow) => FrontRow {
+  return (row) => {
+    const ranked = row.isRanked && plans.find(({ rank }) => String(rank) === row.name)
+    if (!ranked) return row
+    const { leak_mm2, region_closures: nodes } = ranked
+    const cost = rankedCost(ranked) ?? row.plan.cost
+    const [mean_mm2, sd_mm2] = [leak_mm2.mean ?? row.plan.mean_mm2, leak_mm2.sd ?? row.plan.sd_mm2]
+    return { ...row, plan: { ...row.plan, mean_mm2, sd_mm2, cost, nodes } }
+  }
 }
 
 function letters(i: number): string {

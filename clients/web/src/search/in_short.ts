@@ -1,7 +1,6 @@
 // What was asked of a search, in a few words for the list of searches.
 import type { Plan, SearchResult } from '../api/types'
-import { seconds } from '../format'
-import { grouped } from '../jobs/progress_panel'
+import { counted, seconds } from '../format'
 import {
   ANSWER,
   STEPS_ON_REQUEST,
@@ -32,13 +31,13 @@ export function inShort(search: Record<string, unknown>): string {
   const said = [
     sutures && (sutures.name === 'none' ? 'no sutures' : `sutures of the ${sutures.label}`),
     others.length > 0 && `without ${others.map(kindInShort).join(', ')}`,
-    most !== undefined && (most === 0 ? 'no neochordae' : `at most ${most} ${most === 1 ? 'neochorda' : 'neochordae'}`),
+    most !== undefined && (most === 0 ? 'no neochordae' : `at most ${counted(most, 'neochorda', 'neochordae')}`),
     ...STEPS_ON_REQUEST.map(
       ({ pointer, label }) => rules[pointer.replace('/rules/', '')] === true && label.toLowerCase(),
     ),
-    fixed > 0 && `${fixed} fixed ${fixed === 1 ? 'step' : 'steps'}`,
+    fixed > 0 && counted(fixed, 'fixed step'),
     time !== undefined && `at most ${seconds(time)}`,
-    evaluations !== undefined && `${grouped(evaluations)} closures`,
+    evaluations !== undefined && counted(evaluations, 'closure'),
     weights && 'own weights',
   ].filter((words): words is string => typeof words === 'string')
   return said.length > 0 ? said.join(', ') : 'default options'

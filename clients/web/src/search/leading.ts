@@ -1,8 +1,7 @@
 // The best plan so far of a search that runs: its words, its figures, its picture beside the valve as it is.
 import type { JobProgress, Plan } from '../api/types'
 import { h } from '../dom'
-import { withUnit } from '../format'
-import { grouped } from '../jobs/progress_panel'
+import { counted, withUnit } from '../format'
 import { inWords } from './figures'
 import type { Photos } from './photos'
 import parts from '../style/parts.module.css'
@@ -50,7 +49,7 @@ export function leadingPlan(photos: Photos): Leading {
       const entries: [string, string][] = [
         ['leak as planned', withUnit(best.leak_mm2, 'mm²')],
         ['cost', withUnit(best.cost, 'mm²', 2)],
-        ['closed', best.nodes === 1 ? 'as planned' : `with ${grouped(best.nodes)} small errors of execution`],
+        ['closed', best.nodes === 1 ? 'as planned' : `with ${counted(best.nodes, 'small error')} of execution`],
       ]
       figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))
       const plan = JSON.stringify(best.plan)

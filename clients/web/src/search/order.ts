@@ -1,55 +1,24 @@
-// The order of plans at other prices. What the program ranks by before the cost it states of each plan; which of it comes
-// first, its ranks say. Plans that it ranks by the cost alone change places, and no others.
-import type { Gate, RankedPlan } from '../api/types'
+// The order of plans at other prices. What the program ranks by before the cost it states of each plan (`tier`). Plans of one
+// tier that stand together change places, and no others.
+import type { RankedPlan } from '../api/types'
 import { joined, number } from '../format'
-import { isAcceptable } from './figures'
 import { costOf, priceItems, type Wanted, type Weights } from './price'
 
-const OFTEN_FAILING = 0.05 // as search/plans/ranking.cpp has it
-// As search/plans/gates.cpp has them.
-const AVOIDABLE: readonly Gate['rule'][] = [
-  'filling',
-  'systolic_anterior_motion',
-  'ring_stenosis',
-  'opening_area',
-  'mean_gradient',
-  'papillary_movement',
-  'undersizing',
-  'ring_width',
-]
-const OF_CLOSURE: readonly Gate['rule'][] = ['convergence', 'crossing', 'opening_area']
+type Tier = NonNullable<RankedPlan['tier']>
+
+const IN_WORDS: Readonly<Record<Tier, string>> = {
+  acceptable: '',
+  warned: 'it has a warning that other plans avoid',
+  not_acceptable: 'it is not acceptable',
+  stenotic: 'it opens to less than 1.5 cm²',
+  fails_often: 'more than 5 % of its closures with errors of execution failed',
+  untrusted: 'its planned closure is unreliable',
+  rejected: 'a rule of practice rejects it',
+}
 const TOLD_MM2 = 0.05 // differences below it are not told
 const TOLD = 3 // differences, the largest first
 
-interface Statement {
-  holds(plan: RankedPlan): boolean
-  not: string // of a plan, after its name
-}
-
-const STATEMENTS: Statement[] = [
-  {
-    holds: ({ gates }) => !gates.some(({ rule, severity }) => severity === 'reject' && !OF_CLOSURE.includes(rule)),
-    not: 'a rule of practice rejects it',
-  },
-  { holds: passes('convergence', 'crossing'), not: 'its planned closure is unreliable' },
-  {
-    holds: ({ region_failures, region_closures }) => region_failures <= OFTEN_FAILING * region_closures,
-    not: 'more than 5 % of its closures with errors of execution failed',
-  },
-  { holds: passes('opening_area'), not: 'it opens to less than 1.5 cm²' },
-  { holds: isAcceptable, not: 'it is not acceptable' },
-  {
-    holds: (plan) =>
-      !isAcceptable(plan) || !plan.gates.some(({ rule, severity }) => severity === 'warn' && AVOIDABLE.includes(rule)),
-    not: 'it has a warning that other plans avoid',
-  },
-]
-
-function passes(...rules: Gate['rule'][]): Statement['holds'] {
-  return ({ gates }) => !gates.some(({ rule, severity }) => severity === 'reject' && rules.includes(rule))
-}
-
-/// By rank, then each run of plans of which the program states the same by cost; its own weights leave them as ranked.
+/// By rank, then each run of plans of one tier by cost; its own weights leave them as ranked, as do results without tiers.
 export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): RankedPlan[] {
   const ranked = [...plans].sort((a, b) => a.rank - b.rank)
   if (isSame(own, wanted)) return ranked
@@ -57,7 +26,7 @@ export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): R
   return ranked
     .map((plan, i) => {
       const ahead = ranked[i - 1] ?? plan
-      if (STATEMENTS.some(({ holds }) => holds(ahead) !== holds(plan))) ++run
+      if (plan.tier === undefined || plan.tier !== ahead.tier) ++run
       return { plan, run, cost: costOf(plan, own, wanted) ?? Number.POSITIVE_INFINITY }
     })
     .sort((a, b) => a.run - b.run || (a.cost === b.cost ? 0 : a.cost - b.cost)) // infinite ones have no difference
@@ -75,8 +44,8 @@ export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wan
   if (cost === null || other === null) return null
   const plan = by === '' ? 'Plan' : `By ${by} plan`
   const costs = `${plan} ${first.rank} ranks first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
-  const decisive = STATEMENTS.find(({ holds }) => holds(first) && !holds(second))
-  if (decisive) return `${costs}, ${other < cost ? 'but' : 'and'} ${decisive.not}.`
+  const decisive = second.tier && second.tier !== first.tier ? IN_WORDS[second.tier] : ''
+  if (decisive) return `${costs}, ${other < cost ? 'but' : 'and'} ${decisive}.`
   return `${costs}${differences(first, second, weights)}.`
 }
 

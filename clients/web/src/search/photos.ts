@@ -6,6 +6,7 @@ import type { Opening, Plan, Scene, Vector } from '../api/types'
 import { h } from '../dom'
 import { onTheme } from '../shell/theme'
 import { sectionInset } from '../valve/section_inset'
+import { TINTS } from '../viewer/colours'
 import type { Viewer } from '../viewer/viewer'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -18,12 +19,12 @@ const LOOK = { mode: 'leaflets', scale: null, share: 1, leak: true, names: false
 
 // Colours and widths in pixels of strokes over each other.
 const RING = [
-  ['#2a3442', 11],
-  ['#f8f2e0', 8],
+  [TINTS.annulus, 11],
+  [TINTS.ring, 8],
 ] as const
 const SUTURE = [
   ['#ffffff', 5],
-  ['#0b6b4a', 3],
+  [TINTS.added, 3],
 ] as const
 
 let studio: Promise<Viewer> | null = null

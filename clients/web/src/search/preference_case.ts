@@ -1,6 +1,6 @@
 // What the service is told of the plans that are compared, and what it answers, in words and rows.
 import type { LearnedWeights, Preference, PreferenceCase, RankedPlan } from '../api/types'
-import { percent } from '../format'
+import { counted, percent } from '../format'
 import { WEIGHTS } from './options'
 import type { Weights } from './price'
 
@@ -48,6 +48,5 @@ export function informedWeights({ informed, weights }: LearnedWeights, own: Weig
 export function standing({ first_places, learned }: Preference): string {
   const [first] = first_places
   if (learned.answers === 0 || !first) return 'No question answered yet.'
-  const count = learned.answers === 1 ? '1 question' : `${learned.answers} questions`
-  return `${count} answered. Plan ${first.rank} is most likely your preferred plan (probability ${percent(first.probability)}).`
+  return `${counted(learned.answers, 'question')} answered. Plan ${first.rank} is most likely your preferred plan (probability ${percent(first.probability)}).`
 }

@@ -2,8 +2,7 @@
 import type { Finding, StudyResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
-import { seconds, typeset } from '../format'
-import { grouped } from '../jobs/progress_panel'
+import { grouped, seconds, typeset } from '../format'
 import parts from '../style/parts.module.css'
 
 const MOST_OPEN = 6 // a longer table stands folded above the figures

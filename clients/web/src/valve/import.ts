@@ -15,6 +15,7 @@ import { landmarkList } from './landmark_list'
 import { ROLES, type ImportSettings, type Role, type Unit, filesToImport, guessedRoles, packed, placed } from './parts'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
+import { counted } from '../format'
 
 const USUAL_TRIANGLES = 720
 
@@ -341,15 +342,15 @@ function holds(file: FileLookedAt | null): string {
   switch (file.content) {
     case 'surface':
     case 'labels':
-      return `${file.faces.length / 3} triangles`
+      return counted(file.faces.length / 3, 'triangle')
     case 'curve':
-      return `line of ${points} points`
+      return `line of ${counted(points, 'point')}`
     case 'chordae':
-      return `${points / 2} chordae`
+      return counted(points / 2, 'chorda', 'chordae')
     case 'tips':
-      return `${points} papillary tips`
+      return counted(points, 'papillary tip')
     case 'points':
-      return `${points} points`
+      return counted(points, 'point')
     case 'unknown':
       return 'cannot be shown'
   }

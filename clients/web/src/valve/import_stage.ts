@@ -3,7 +3,7 @@
 import { getBlob } from '../api/http'
 import type { FitResult, ImportDecision, ImportResult, Job } from '../api/types'
 import { button, h } from '../dom'
-import { withUnit } from '../format'
+import { counted, withUnit } from '../format'
 import { filesOf } from '../jobs/calls'
 import { InputViewer } from '../viewer/input_viewer'
 import type { ViewName } from '../viewer/stage'
@@ -103,7 +103,7 @@ export function importResult(
       'p',
       {},
       h('strong', {}, result.name),
-      ` is open: ${result.triangles} triangles, ${result.chordae} chordae. Compare it with the input, and review the decisions.`,
+      ` is open: ${counted(result.triangles, 'triangle')}, ${counted(result.chordae, 'chorda', 'chordae')}. Compare it with the input, and review the decisions.`,
     ),
     actions,
     result.fit && fitted(result.fit),

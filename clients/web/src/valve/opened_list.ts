@@ -7,6 +7,7 @@ import { onOtherTab } from '../state/tabs'
 import { problemsOf, type Workspace } from '../workspace'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
+import { counted } from '../format'
 
 export interface OpenedList {
   element: HTMLElement
@@ -41,7 +42,7 @@ export function openedList(workspace: Workspace, open: (id: string, name: string
     })
     return h(
       'li',
-      { title: triangles === null ? null : `${triangles} triangles` },
+      { title: triangles === null ? null : counted(triangles, 'triangle') },
       input,
       button('Open', () => open(id, name), { 'aria-label': `Open ${name}` }),
       iconButton('remove', `Remove ${name}`, () => void attempt(() => removeValve(id).then(refresh))),

@@ -14,7 +14,7 @@ export const COLOUR_MODES: readonly (readonly [ColourMode, string])[] = [
   ['tension', 'Chordal tension'],
 ]
 
-/// Leaflets as in the report (io/picture/canvas.h); the other kinds are the page's alone.
+/// As in reports and pictures (io/picture/canvas.h; a test compares), but for ruptured chordae.
 export const TINTS = {
   anterior: '#e8998a',
   posterior: '#f2c491',
@@ -23,6 +23,10 @@ export const TINTS = {
   ruptured: '#c8342b',
   added: '#0f8a5f',
   ring: '#e4e7ec',
+  annulus: '#29384d',
+  chorda: '#8c7861',
+  papillary: '#943f3d',
+  surface: '#9db4d6', // of a file, its leaflets not told apart
 } as const
 const OUTER_THIRDS = 0.22 // of the way to white, so that segments can be told apart
 const CUT_EDGE = 0.7 // as bright as the leaflet

@@ -24,7 +24,7 @@ const COLOURS: Record<Role, string> = {
   anterior: TINTS.anterior,
   posterior: TINTS.posterior,
   labels: TINTS.anterior,
-  surface: '#9db4d6',
+  surface: TINTS.surface,
   annulus: '#cdb7b0',
   chordae: '#cdb7b0',
   tips: '#cdb7b0',
@@ -51,10 +51,10 @@ export class InputViewer {
   private readonly labels = new Labels(this.stage)
   private readonly group = new Group()
   private readonly lines = {
-    annulus: new Lines({ width: 3, colour: '#29384d', inFront: true }),
-    chordae: new Lines({ width: 1.4, colour: '#8c7861' }),
+    annulus: new Lines({ width: 3, colour: TINTS.annulus, inFront: true }),
+    chordae: new Lines({ width: 1.4, colour: TINTS.chorda }),
     marks: new Lines({ width: 4, colour: '#b0205a', inFront: true }),
-    tips: new Lines({ width: 3, colour: '#943f3d', inFront: true }),
+    tips: new Lines({ width: 3, colour: TINTS.papillary, inFront: true }),
   }
   private frame: InputFrame | null = null
   private loop: Vector[] = [] // of the annulus, as it is drawn

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { test } from 'node:test'
-import { accessProblems, complaints, openBefore, page, service } from './page.mjs'
+import { accessProblems, complaints, openBefore, page, service, settled } from './page.mjs'
 
 openBefore('search', {}, () => page.locator('[data-part=form] h2', { hasText: 'human-functional-mr' }).waitFor())
 
@@ -269,6 +269,19 @@ test('two plans are compared', async () => {
   assert.equal(await comparison.locator('[data-part=photo]').count(), 2)
   assert.equal(await comparison.locator('[data-part=heat-scale]').count(), 1)
   await comparison.getByText('Highest chordal tension').waitFor()
+  await comparison.getByRole('button', { name: 'Show both in 3D' }).click()
+  await comparison.locator('[data-part=compared] figcaption', { hasText: /^Rank 2: [\d.]+/ }).waitFor()
+  const stages = comparison.locator('[data-part=compared] canvas')
+  const drawn = async () => {
+    await settled()
+    return Promise.all([0, 1].map(async (i) => (await stages.nth(i).screenshot()).toString('base64')))
+  }
+  const [first, second] = await drawn()
+  await stages.first().focus()
+  await page.keyboard.press('ArrowLeft')
+  const [turned, followed] = await drawn()
+  assert.notEqual(turned, first)
+  assert.notEqual(followed, second) // its camera is linked
   for (const [theme, width] of [
     ['dark', 820],
     ['light', 1280],

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import kept from '../../../../tests/kept/0.1/plans.json'
-import type { Gate, RankedPlan } from '../../src/api/types'
+import type { RankedPlan } from '../../src/api/types'
 import { reordered, whyFirst } from '../../src/search/order'
 import { wantedWeights, AS_SEARCHED, type Factors, type Weights } from '../../src/search/price'
 import { planOf, WEIGHTS } from './plans'
@@ -14,11 +14,11 @@ const asSearched = { weights: WEIGHTS, by: '' }
 const decided = [
   planOf({ rank: 1, cost: 90 }),
   planOf({ rank: 2, cost: 91 }),
-  planOf({ rank: 3, cost: 50, robust: false }),
-  planOf({ rank: 4, cost: 40, opening_mm2: 149 }),
-  planOf({ rank: 5, cost: 30, robust: false, failures: 6 }),
-  planOf({ rank: 6, cost: 20, robust: false, crossing: true }),
-  planOf({ rank: 7, cost: 21, robust: false, status: 'step_limit' }),
+  planOf({ rank: 3, cost: 50, tier: 'not_acceptable' }),
+  planOf({ rank: 4, cost: 40, tier: 'stenotic' }),
+  planOf({ rank: 5, cost: 30, tier: 'fails_often' }),
+  planOf({ rank: 6, cost: 20, tier: 'untrusted' }),
+  planOf({ rank: 7, cost: 21, tier: 'untrusted' }),
 ]
 
 test('factors of 1 leave the order of the search, where costs decide and where they do not', () => {
@@ -74,29 +74,17 @@ test('no preference brings forward a plan that lacks what comes before the cost'
   expect(ranks(decided, { leak: 0, opening: 0, durability: 0, operation: 0 })[2]).toBe(3)
 })
 
-test('an opening that the program rejects comes before the cost; one that is not known does not', () => {
-  const narrow = planOf({ rank: 2, cost: 1, opening_mm2: 140 })
-  const unopened = planOf({ rank: 1, cost: 2, opening_mm2: null })
-  expect(ranks([unopened, narrow])).toEqual([1, 2])
-})
-
 test('none brings forward a plan that practice rejects or that is warned of', () => {
-  const of = (plan: RankedPlan, rule: Gate['rule'], severity: Gate['severity']): RankedPlan => ({
-    ...plan,
-    gates: [...plan.gates.filter((gate) => gate.rule !== rule), { ...(plan.gates[0] as Gate), rule, severity }],
-  })
   const first = planOf({ rank: 1, terms: { step: 2 } })
-  const cheaper = planOf({ rank: 2, terms: { step: 1 } })
-  expect(ranks([first, cheaper], { operation: 2 })).toEqual([2, 1])
-  expect(ranks([first, of(cheaper, 'undersizing', 'warn')], { operation: 2 })).toEqual([1, 2])
-  expect(ranks([first, of(cheaper, 'undersizing', 'reject')], { operation: 2 })).toEqual([1, 2])
-  expect(ranks([first, of(cheaper, 'margin_to_leak', 'warn')], { operation: 2 })).toEqual([2, 1]) // no operation avoids it
+  const cheaper = (tier: RankedPlan['tier']) => planOf({ rank: 2, terms: { step: 1 }, tier })
+  expect(ranks([first, cheaper('acceptable')], { operation: 2 })).toEqual([2, 1])
+  expect(ranks([first, cheaper('warned')], { operation: 2 })).toEqual([1, 2])
+  expect(ranks([first, cheaper('rejected')], { operation: 2 })).toEqual([1, 2])
 })
 
-test('up to a twentieth of the region may fail, a plan without a cost comes last', () => {
-  expect(
-    ranks([planOf({ rank: 1, robust: false, failures: 5, cost: 1 }), planOf({ rank: 2, robust: false, cost: 2 })]),
-  ).toEqual([1, 2])
+test('results without tiers stay as ranked, a plan without a cost comes last', () => {
+  const old = [planOf({ rank: 1, cost: 3 }), planOf({ rank: 2, cost: 2 })].map(({ tier: _, ...plan }) => plan)
+  expect(ranks(old as RankedPlan[], { operation: 2 })).toEqual([1, 2])
   expect(ranks([planOf({ rank: 1, cost: 2 }), planOf({ rank: 2, cost: null })])).toEqual([1, 2])
 })
 
@@ -117,10 +105,10 @@ test('what decided before the cost is the reason', () => {
   expect(whyFirst([planOf({ cost: 5 }), planOf({ rank: 2, cost: 3, robust: false })], WEIGHTS, asSearched)).toBe(
     'Plan 1 ranks first with a cost of 5.00 mm²; plan 2 has 3.00, but it is not acceptable.',
   )
-  expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, opening_mm2: 120 })], WEIGHTS, asSearched)).toBe(
+  expect(whyFirst([planOf({ cost: 2 }), planOf({ rank: 2, cost: 3, tier: 'stenotic' })], WEIGHTS, asSearched)).toBe(
     'Plan 1 ranks first with a cost of 2.00 mm²; plan 2 has 3.00, and it opens to less than 1.5 cm².',
   )
-  const failing = planOf({ rank: 2, cost: 4, robust: false, failures: 6 })
+  const failing = planOf({ rank: 2, cost: 4, tier: 'fails_often' })
   expect(whyFirst([planOf({ cost: 5, robust: false }), failing], WEIGHTS, asSearched)).toBe(
     'Plan 1 ranks first with a cost of 5.00 mm²; plan 2 has 4.00, but more than 5 % of its closures with errors of execution failed.',
   )

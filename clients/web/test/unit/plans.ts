@@ -34,10 +34,8 @@ interface Given {
   durability_price?: number
   terms?: Partial<CostTerms>
   robust?: boolean
-  status?: RankedPlan['status']
-  crossing?: boolean
-  failures?: number // of 100
   opening_mm2?: number | null
+  tier?: RankedPlan['tier']
   durability_mm?: number | null
   pareto?: boolean
   mean?: number | null
@@ -69,7 +67,6 @@ export function frontPlanOf(plan: Plan, given: Partial<FrontPlan> = {}): FrontPl
 /// Robust, open to 3 cm2, unless something else is said.
 export function planOf(given: Given): RankedPlan {
   const { rank = 1, robust = true, tie = false, mean = 0.25, opening_mm2 = 300 } = given
-  const { status = 'converged', crossing = false } = given
   const amounts = termsOf(given.terms ?? {})
   const sum = Object.entries(amounts).reduce(
     (all, [name, amount]) => all + WEIGHTS[name as keyof CostTerms] * amount,
@@ -84,16 +81,13 @@ export function planOf(given: Given): RankedPlan {
     fine: null,
     leak_mm2: { mean, sd: mean === null ? null : 0.25 },
     measure: { leak_mm2: 0.1 },
-    status,
-    crossing,
-    gates: Object.entries({
-      convergence: status === 'converged',
-      crossing: !crossing,
-      opening_area: (opening_mm2 ?? 150) >= 150,
-    }).map(([rule, passes]) => ({ rule, severity: passes ? 'pass' : 'reject' })),
+    status: 'converged',
+    crossing: false,
+    tier: given.tier ?? (robust ? 'acceptable' : 'not_acceptable'),
+    gates: [],
     closes_robustly: robust,
     region_closures: 100,
-    region_failures: given.failures ?? 0,
+    region_failures: 0,
     opening_area_mm2: opening_mm2,
     projected_area_mm2: opening_mm2,
     durability_mm: given.durability_mm === undefined ? 9 : given.durability_mm,

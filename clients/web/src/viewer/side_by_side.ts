@@ -1,16 +1,22 @@
-// Two valves beside each other; who turns one turns the other.
+// Two valves, or one under two plans, beside each other; who turns one turns the other.
 import { drawScene } from '../api/calls'
+import type { Plan } from '../api/types'
 import { h } from '../dom'
 import { leakWords } from '../valve/headline'
-import { Viewer } from '../viewer/viewer'
-import type { Row } from './rows'
-import cohortStyle from './cohort.module.css'
+import { Viewer } from './viewer'
+import viewerStyle from './viewer.module.css'
 
 const LOOK = { mode: 'leaflets', scale: null, share: 1, leak: true, names: true, hours: false, cut: null } as const
 
+export interface Compared {
+  name: string
+  reference: string
+  plan: Plan | null
+}
+
 export interface SideBySide {
   element: HTMLElement
-  show(rows: Row[]): Promise<void> // two
+  show(both: readonly Compared[]): Promise<void> // two
 }
 
 export function sideBySide(): SideBySide {
@@ -19,21 +25,21 @@ export function sideBySide(): SideBySide {
   viewers[0].stage.pair(viewers[1].stage)
   const element = h(
     'section',
-    { class: cohortStyle.compared, 'aria-label': 'Compared', 'data-part': 'compared' },
+    { class: viewerStyle.compared, 'aria-label': 'Compared', 'data-part': 'compared' },
     ...viewers.map((viewer, i) => h('figure', {}, captions[i], viewer.element)),
   )
   let asked = 0
   return {
     element,
-    async show(rows) {
+    async show(both) {
       const mine = ++asked
-      const scenes = await Promise.all(rows.map(({ reference }) => drawScene(reference, null, 0)))
+      const scenes = await Promise.all(both.map(({ reference, plan }) => drawScene(reference, plan, 0)))
       if (mine !== asked) return
       for (const [i, viewer] of viewers.entries()) {
         const scene = scenes[i]
         const caption = captions[i]
         if (!scene || !caption) continue
-        caption.textContent = `${rows[i]?.name}: ${leakWords(scene.closure)}`
+        caption.textContent = `${both[i]?.name}: ${leakWords(scene.closure)}`
         viewer.set(scene, LOOK)
       }
     },
