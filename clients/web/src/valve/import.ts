@@ -119,7 +119,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     ),
     filePicker('Files', 'Choose files', {
       multiple: true,
-      accept: '.obj,.ply,.stl,.vtk,.vtp,.vtu,.nrrd,.nii,.gz,.mha,.csv,.json',
+      accept: '.obj,.ply,.stl,.glb,.gltf,.vtk,.vtp,.vtu,.nrrd,.nhdr,.nii,.gz,.bz2,.mha,.mhd,.raw,.zraw,.csv,.json',
       use: take,
     }),
     rows,
@@ -341,7 +341,7 @@ function holds(file: FileLookedAt | null): string {
   switch (file.content) {
     case 'surface':
     case 'labels':
-      return `${file.faces.length / 3} triangles`
+      return file.faces.length === 0 ? 'label map' : `${file.faces.length / 3} triangles`
     case 'curve':
       return `line of ${points} points`
     case 'chordae':
