@@ -273,6 +273,10 @@ Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels, int pha
   layout.count = static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]);
   if (Errors errors = read_phase(stream, layout, phase, most_voxels, map); !errors.empty())
     return errors;
+  if (header.dim(0) >= 5.0 && header.dim(5) > 1.0 && map.masks == 0)
+    return Error{ErrorCode::OutOfRange, "/dim",
+                 "has several numbers for each voxel; they must be masks of 0 and 1, one for each "
+                 "label"};
   return map;
 }
 

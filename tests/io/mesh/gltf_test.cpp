@@ -130,7 +130,8 @@ TEST(Gltf, EveryDamageHasAPlace) {
   for (const auto& [path, change] : changes) {
     Json document = triangles({"leaf"});
     document.merge_patch(change);
-    EXPECT_EQ(path_of_problem(file(document)), path) << change;
+    const bool is_glb = path != "/asset/version";  // of which no .glb is made
+    EXPECT_EQ(path_of_problem(is_glb ? file(document) : document.dump()), path) << change;
   }
   Json document = triangles({"leaf"});
   document["nodes"][0]["children"] = {0};

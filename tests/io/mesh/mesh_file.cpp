@@ -215,7 +215,8 @@ TEST(MeshFile, WhatIsNoMeshIsRefused) {
   EXPECT_EQ(problem("", "stl").code, ErrorCode::InputOutput);
   EXPECT_EQ(problem("solid x\n facet\n vertex 0 0 0\n endfacet\n", "stl").code,
             ErrorCode::WrongType);
-  EXPECT_EQ(problem(kObj, "glb").code, ErrorCode::Unsupported);
+  EXPECT_EQ(problem(kObj, "glb").code, ErrorCode::InvalidJson);
+  EXPECT_EQ(problem(kObj, "fbx").code, ErrorCode::Unsupported);
 }
 
 TEST(MeshFile, APlyWithoutCoordinatesOrFacesIsRefused) {
