@@ -9,11 +9,13 @@
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
+#include "io/dicom/segmentation.h"
 #include "io/dicom/series_geometry.h"
 #include "io/exchange/companion_files.h"
 #include "io/exchange/file_roles.h"
 #include "io/exchange/slicerheart.h"
 #include "io/image/detached.h"
+#include "io/image/write_label_map.h"
 #include "io/mesh/text_scan.h"
 
 namespace coapt {
@@ -61,6 +63,18 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
+/// With a DICOM segmentation as the label map that it holds.
+Expected<NamedFile> read_source(const std::string& path) {
+  Expected<std::string> bytes = read_input(path);
+  if (!bytes) return bytes.errors();
+  const std::string name = fs::path(path).filename();
+  if (bytes->size() < 132 || bytes->substr(128, 4) != "DICM")
+    return NamedFile{name, *std::move(bytes)};
+  const Expected<LabelMap> map = read_dicom_segmentation(path);
+  if (!map) return map.errors();
+  return NamedFile{name + ".nrrd", write_nrrd(*map, "")};
+}
+
 /// Folders among the bare files: a DICOM series, or one of SlicerHeart.
 int take_folders(ImportInputs& inputs) {
   for (const std::string& path : inputs.bare) {
@@ -82,9 +96,9 @@ int take_folders(ImportInputs& inputs) {
 int read_file(const std::string& path, const std::string& pointer, std::optional<NamedFile>& file,
               ImportPlaces& places) {
   if (path.empty()) return exit_code::kOk;
-  Expected<std::string> bytes = read_input(path);
-  if (!bytes) return report_errors(path, bytes.errors());
-  file = NamedFile{path, *std::move(bytes)};
+  Expected<NamedFile> read = read_source(path);
+  if (!read) return report_errors(path, read.errors());
+  file = *std::move(read);
   places.emplace_back(pointer, path);
   return exit_code::kOk;
 }
@@ -94,9 +108,9 @@ int read_bare(std::vector<std::string> paths, ImportFiles& files, ImportPlaces& 
   std::vector<NamedFile> read;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path path = paths[i];
-    Expected<std::string> bytes = read_input(path);
-    if (!bytes) return report_errors(path, bytes.errors());
-    read.push_back({path.filename(), *std::move(bytes)});
+    Expected<NamedFile> source = read_source(path);
+    if (!source) return report_errors(path, source.errors());
+    read.push_back(*std::move(source));
     const Expected<std::vector<std::string>> companions = companions_of(read.back());
     if (!companions) return report_errors(path, companions.errors());
     for (const std::string& name : *companions)

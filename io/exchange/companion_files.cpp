@@ -6,6 +6,7 @@
 #include "io/exchange/import_files.h"
 #include "io/image/detached.h"
 #include "io/json/json_reader.h"
+#include "io/mesh/gltf.h"
 #include "io/mesh/vtk_xml.h"
 
 namespace coapt {
@@ -56,6 +57,10 @@ Expected<std::vector<std::string>> companions_of(const NamedFile& file) {
     const Expected<std::optional<std::string>> data = data_file_of(file.bytes);
     if (!data) return data.errors();
     if (*data) names.push_back(**data);
+  } else if (format == "gltf") {
+    const Expected<std::optional<std::string>> buffer = gltf_buffer_file(file.bytes);
+    if (!buffer) return buffer.errors();
+    if (*buffer) names.push_back(**buffer);
   }
   return names;
 }
@@ -99,9 +104,14 @@ Expected<CompleteFiles> completed(std::vector<NamedFile> files) {
                                         std::to_string(pieces.size()) + " other files contain",
                                     "it is a VTK multi-block file"});
     } else {
-      files[i].bytes = attached(files[i].bytes, files[found[0]].bytes);
+      const bool gltf = format_of(files[i].name) == "gltf";
+      files[i].bytes = gltf ? gltf_with_buffer(files[i].bytes, files[found[0]].bytes)
+                            : attached(files[i].bytes, files[found[0]].bytes);
       gone[found[0]] = true;
-      complete.decisions.push_back({"files", called(found[0]) + " holds the voxels of " + called(i),
+      complete.decisions.push_back({"files",
+                                    called(found[0]) +
+                                        (gltf ? " holds the meshes of " : " holds the voxels of ") +
+                                        called(i),
                                     "stated in its header"});
     }
   }

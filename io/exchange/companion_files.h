@@ -1,4 +1,4 @@
-// Files that come in several: a header and its voxels (.nhdr, .mhd), a multi-block of VTK (.vtm) and its pieces.
+// Files that come in several: a header and its voxels (.nhdr, .mhd), a .gltf and its buffer, a multi-block of VTK (.vtm) and its pieces.
 #pragma once
 
 #include "io/exchange/formats.h"
@@ -15,7 +15,7 @@ struct CompleteFiles {
   std::vector<ImportDecision> decisions;
 };
 
-/// Voxels joined to their headers; pieces of a .vtm under the names of its blocks. Errors at "/files/I": a companion is not there.
+/// Voxels and buffers joined to their headers; pieces of a .vtm under the names of its blocks. Errors at "/files/I": a companion is not there.
 Expected<CompleteFiles> completed(std::vector<NamedFile> files);
 
 }  // namespace coapt

@@ -5,6 +5,7 @@
 #include "io/exchange/import_files.h"
 #include "io/exchange/label_parts.h"
 #include "io/exchange/markups.h"
+#include "io/image/detached.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
 
@@ -66,6 +67,8 @@ FilePreview csv_preview(const std::string& text) {
 
 /// Anterior and posterior leaflet as one surface.
 FilePreview labels_preview(const std::string& bytes) {
+  if (const auto voxels = data_file_of(bytes); voxels && *voxels)
+    return {FileContent::Labels, {}, {}, {}, {}};  // a header: by itself it shows nothing
   const Expected<LabelMap> map = read_label_map(bytes, kMostVoxelsSent);
   if (!map) return {FileContent::Unknown, {}, {}, {}, map.errors()};
   const Expected<LabelParts> parts = label_parts(*map, {}, {.annulus = false});
@@ -101,6 +104,7 @@ FilePreview preview_file(const NamedFile& file) {
   if (format == "json") return json_preview(file.bytes);
   if (is_table_format(format)) return csv_preview(file.bytes);
   if (is_label_map_format(format)) return labels_preview(file.bytes);
+  if (format == "raw" || format == "zraw") return {FileContent::Unknown, {}, {}, {}, {}};
   const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format);
   if (mesh) return {FileContent::Surface, mesh->vertices_mm, mesh->faces, {}, {}};
   return {FileContent::Unknown, {}, {}, {}, mesh.errors()};

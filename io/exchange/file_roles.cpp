@@ -17,7 +17,8 @@
 namespace coapt {
 namespace {
 
-constexpr std::array<std::string_view, 6> kMeshFormats = {"obj", "ply", "stl", "vtk", "vtp", "vtu"};
+constexpr std::array<std::string_view, 8> kMeshFormats = {"obj",  "ply", "stl", "glb",
+                                                          "gltf", "vtk", "vtp", "vtu"};
 constexpr std::size_t kChordaFields = 8;  // id, papillary, insertion, tip
 
 bool is_mesh(const std::string& name) {

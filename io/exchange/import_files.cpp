@@ -14,6 +14,7 @@
 #include "io/exchange/part_names.h"
 #include "io/exchange/stated_axes.h"
 #include "io/mesh/csv_table.h"
+#include "io/mesh/gltf.h"
 #include "io/mesh/import_readers.h"
 #include "io/mesh/source_units.h"
 
@@ -45,12 +46,13 @@ std::string format_of(const std::string& file_name) {
 }
 
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format) {
-  if (format == "obj" || format == "vtk" || format == "vtp") return read_mesh_line(text, format);
+  if (format == "obj" || format == "vtk" || format == "vtp" || is_gltf_format(format))
+    return read_mesh_line(text, format);
   if (format == "ply" || format == "stl" || format == "vtu")
     return Error{ErrorCode::Unsupported, "",
                  "is a surface, ." + format +
                      "; an annulus must be a table, a closed curve from Slicer (.mrk.json), or "
-                     "lines in OBJ, .vtk or .vtp"};
+                     "lines in OBJ, glTF, .vtk or .vtp"};
   if (format != "json") return read_points_csv(text);
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
@@ -101,6 +103,8 @@ class AxesOfFiles {
     const PatientAxes axes = overruled ? *given_ : stated.value_or(PatientAxes::LPS);
     std::string reason = is_markup   ? "stated in the markups"
                          : overruled ? "as given"
+                         : is_gltf_format(format_of(file.name))
+                             ? "not stated; glTF has axes for display alone, which are taken as LPS"
                          : stated
                              ? std::string("stated in their headers as SPACE=") + to_string(*stated)
                              : "not stated in the files; LPS is the DICOM convention";
@@ -202,8 +206,9 @@ void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesO
     if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
     const std::string name = file.name.substr(file.name.find_last_of("/\\") + 1);
     if (const auto side = side_named(name.substr(0, name.rfind('.')));
-        side && mesh.vertices_mm.rows() > 0)
-      source.sided.push_back({*side, Vec3(mesh.vertices_mm.colwise().mean())});
+        side && mesh.faces.rows() > 0)
+      source.sided.push_back(
+          {*side, Vec3(mesh.vertices_mm(mesh.faces.reshaped(), Eigen::all).colwise().mean())});
     const bool posterior = files.posterior_from ? i >= *files.posterior_from : i > 0;
     sides[posterior ? 1 : 0].push_back(std::move(mesh));
   }

@@ -1,11 +1,10 @@
 #include "io/exchange/label_parts.h"
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
+#include "io/exchange/label_candidates.h"
 #include "io/exchange/part_names.h"
 #include "io/image/label_curve.h"
 #include "io/image/label_surface.h"
@@ -16,99 +15,20 @@ namespace {
 
 constexpr std::size_t kMostLookedAt = 16;  // labels without a role whose shape is looked at
 
-/// Numbers that other programs and public sets give the leaflets. Geometry decides; these say whose numbers they are, and which two
-/// of several labels are meant.
-struct Convention {
-  int anterior, posterior;
-  const char* name;
-};
-constexpr std::array kConventions = {
-    Convention{1, 2, "the numbering of coapt and most tools"},
-    Convention{2, 1, "the numbering of the public data set MVSeg2023"},
-};
-
-enum class Part { Anterior, Posterior, Annulus };
-constexpr std::array kParts = {Part::Anterior, Part::Posterior, Part::Annulus};
-
-const char* option_of(Part part) {
-  return part == Part::Anterior ? "anterior" : part == Part::Posterior ? "posterior" : "annulus";
-}
-
-const char* words_of(Part part) {
-  return part == Part::Anterior    ? "anterior leaflet"
-         : part == Part::Posterior ? "posterior leaflet"
-                                   : "annulus";
-}
-
-NamedPart named(Part part) {
-  return part == Part::Anterior    ? NamedPart::Anterior
-         : part == Part::Posterior ? NamedPart::Posterior
-                                   : NamedPart::Annulus;
-}
-
-/// How thick a label is, in voxels, and how many it has.
-struct LabelShape {
-  double thickness = 0.0;
-  Index voxels = 0;
-};
-
-/// Whether it may be a leaflet beside `others`: about as thick and as large.
-bool is_like(const LabelShape& shape, const LabelShape& other) {
-  const double thick = shape.thickness / other.thickness;
-  const double large = static_cast<double>(shape.voxels) / static_cast<double>(other.voxels);
-  return thick > 0.4 && thick < 2.5 && large > 0.1 && large < 10.0;
-}
-
-/// A label of the map and what is known of it.
-struct Candidate {
-  LabelAt label;
-  int number = 0;  ///< as the user says it
-  std::string_view name;
-  std::optional<NamedPart> meant;  ///< by its name
-  std::optional<Part> part;
-  const char* reason = "";
-};
-
-/// Where all layers hold one label and two the same: by layer.
-std::vector<Candidate> candidates(const LabelMap& map) {
-  std::vector<Candidate> all;
-  std::set<int> values, layers;
-  for (const LabelAt& label : labels_of(map)) {
-    Candidate& candidate = all.emplace_back();
-    candidate.label = label;
-    candidate.number = label.value;
-    values.insert(label.value);
-    layers.insert(label.layer);
-    for (const LabelName& name : map.names)
-      if (name.layer == label.layer && name.value == label.value) candidate.name = name.name;
-    candidate.meant = part_named(candidate.name);
-  }
-  if (values.size() < all.size() && layers.size() == all.size())
-    for (Candidate& candidate : all) candidate.number = candidate.label.layer + 1;
-  return all;
-}
-
-/// What is known of such numbers; empty: nothing.
-std::string convention(int anterior, int posterior) {
-  for (const Convention& known : kConventions)
-    if (known.anterior == anterior && known.posterior == posterior) return known.name;
-  return {};
-}
-
 class LabelChoice {
  public:
   LabelChoice(const LabelMap& map, ProblemList& problems)
       : map_(map), all_(candidates(map)), problems_(problems) {}
 
-  void take_given(Part part, const std::vector<int>& numbers) {
+  void take_given(ValvePart part, const std::vector<int>& numbers) {
     for (const int number : numbers) {
       const auto found = std::find_if(all_.begin(), all_.end(),
-                                      [&](const Candidate& c) { return c.number == number; });
+                                      [&](const LabelCandidate& c) { return c.number == number; });
       if (found == all_.end()) {
         problems_.add(ErrorCode::BadReference, pointer(part),
                       "is " + std::to_string(number) +
                           ", which no voxel has; the file has labels " +
-                          listed([](const Candidate&) { return true; }));
+                          listed([](const LabelCandidate&) { return true; }));
       } else if (found->part) {
         problems_.add(
             ErrorCode::BadReference, "/label_numbers",
@@ -121,13 +41,13 @@ class LabelChoice {
   }
 
   /// By name, unless the part was given.
-  void take_named(Part part) {
+  void take_named(ValvePart part) {
     if (!of(part).empty()) return;
-    const bool mitral = std::any_of(all_.begin(), all_.end(), [&](const Candidate& c) {
+    const bool mitral = std::any_of(all_.begin(), all_.end(), [&](const LabelCandidate& c) {
       return c.meant == named(part) && is_mitral(c.name);
     });
     std::size_t taken = 0;
-    for (Candidate& candidate : all_) {
+    for (LabelCandidate& candidate : all_) {
       if (candidate.part || candidate.meant != named(part)) continue;
       if (mitral && !is_mitral(candidate.name) && !is_scallop(candidate.name)) continue;
       // Several labels of one part are its scallops; of several whole leaflets the first is used and the others are left over.
@@ -136,14 +56,14 @@ class LabelChoice {
       candidate.reason = "by its name in the file";
       ++taken;
     }
-    if (part == Part::Posterior && taken > 0) take_commissures();
+    if (part == ValvePart::Posterior && taken > 0) take_commissures();
   }
 
   /// Leaflets of another valve beside ones that need not be mitral.
   void refuse_other_valves(bool given) {
-    const auto other = [](const Candidate& c) { return c.meant == NamedPart::OtherLeaflet; };
+    const auto other = [](const LabelCandidate& c) { return c.meant == NamedPart::OtherLeaflet; };
     if (given || std::none_of(all_.begin(), all_.end(), other)) return;
-    const auto leaflets = of(Part::Anterior);
+    const auto leaflets = of(ValvePart::Anterior);
     if (!leaflets.empty() && is_mitral(leaflets[0]->name)) return;
     problems_.add(
         ErrorCode::Unsupported, "/labels",
@@ -156,12 +76,12 @@ class LabelChoice {
 
   /// The closed band among labels whose names say nothing.
   void find_annulus() {
-    if (!of(Part::Annulus).empty()) return;
+    if (!of(ValvePart::Annulus).empty()) return;
     std::size_t looked_at = 0;
-    for (Candidate& candidate : all_) {
+    for (LabelCandidate& candidate : all_) {
       if (candidate.part || candidate.meant || ++looked_at > kMostLookedAt) continue;
       if (!label_curve(map_, candidate.label)) continue;
-      candidate.part = Part::Annulus;
+      candidate.part = ValvePart::Annulus;
       candidate.reason = "it is the only closed band";
       return;
     }
@@ -169,48 +89,49 @@ class LabelChoice {
 
   /// The two leaflets among the labels that nothing names, where neither or one is known.
   void find_leaflets() {
-    std::vector<Candidate*> free;
-    for (Candidate& candidate : all_)
+    std::vector<LabelCandidate*> free;
+    for (LabelCandidate& candidate : all_)
       if (!candidate.part && !candidate.meant) free.push_back(&candidate);
-    const bool anterior = !of(Part::Anterior).empty(), posterior = !of(Part::Posterior).empty();
+    const bool anterior = !of(ValvePart::Anterior).empty(),
+               posterior = !of(ValvePart::Posterior).empty();
     if (anterior && posterior) return;
     const std::size_t wanted = anterior || posterior ? 1 : 2;
     if (free.size() > wanted)
-      free = leaflet_like(free, anterior ? Part::Anterior : Part::Posterior);
+      free = leaflet_like(free, anterior ? ValvePart::Anterior : ValvePart::Posterior);
     if (free.size() > wanted) return too_many(free);
     if (free.size() < wanted) {
-      for (const Part part : {Part::Anterior, Part::Posterior})
+      for (const ValvePart part : {ValvePart::Anterior, ValvePart::Posterior})
         if (of(part).empty())
           problems_.add(ErrorCode::BadReference, pointer(part),
                         std::string("is missing: no label is named the ") + words_of(part) +
                             ", and no other label is available; the file has labels " +
-                            listed([](const Candidate&) { return true; }));
+                            listed([](const LabelCandidate&) { return true; }));
       return;
     }
     if (wanted == 1) {
-      free[0]->part = anterior ? Part::Posterior : Part::Anterior;
+      free[0]->part = anterior ? ValvePart::Posterior : ValvePart::Anterior;
       free[0]->reason = "the other label is the other leaflet";
       return;
     }
-    free[0]->part = Part::Anterior;
-    free[1]->part = Part::Posterior;
+    free[0]->part = ValvePart::Anterior;
+    free[1]->part = ValvePart::Posterior;
     found_both_ = true;
   }
 
-  std::vector<const Candidate*> of(Part part) const {
-    std::vector<const Candidate*> found;
-    for (const Candidate& candidate : all_)
+  std::vector<const LabelCandidate*> of(ValvePart part) const {
+    std::vector<const LabelCandidate*> found;
+    for (const LabelCandidate& candidate : all_)
       if (candidate.part == part) found.push_back(&candidate);
     return found;
   }
 
   /// Labels without a role: what nothing names may be a leaflet that is missed.
   void tell_left_over(std::vector<ImportDecision>& decisions) const {
-    const auto is_known = [](const Candidate& c) {
+    const auto is_known = [](const LabelCandidate& c) {
       return !c.part && c.meant && c.meant != NamedPart::OtherLeaflet &&
              c.meant != NamedPart::Anterior && c.meant != NamedPart::Posterior;
     };
-    const auto is_unknown = [&](const Candidate& c) { return !c.part && !is_known(c); };
+    const auto is_unknown = [&](const LabelCandidate& c) { return !c.part && !is_known(c); };
     const auto tell = [&](const auto& which, const char* why, bool look) {
       const auto count = std::count_if(all_.begin(), all_.end(), which);
       if (count == 0) return;
@@ -225,13 +146,13 @@ class LabelChoice {
 
   std::vector<SourcePart> parts() const {
     std::vector<SourcePart> parts;
-    for (const Candidate& of : all_)
+    for (const LabelCandidate& of : all_)
       parts.push_back({of.number, of.part ? option_of(*of.part) : ""});
     return parts;
   }
 
   /// "label 4", "labels 2, 4 and 5".
-  std::string called(Part part) const {
+  std::string called(ValvePart part) const {
     const auto labels = of(part);
     std::string text = labels.size() == 1 ? "label " : "labels ";
     for (std::size_t i = 0; i < labels.size(); ++i)
@@ -244,8 +165,8 @@ class LabelChoice {
 
   LeafletOrder order() const {
     LeafletOrder order;
-    const auto anterior = of(Part::Anterior), posterior = of(Part::Posterior);
-    const auto is_given = [](const Candidate* c) {
+    const auto anterior = of(ValvePart::Anterior), posterior = of(ValvePart::Posterior);
+    const auto is_given = [](const LabelCandidate* c) {
       return std::string_view(c->reason) == "as given";
     };
     order.claim = found_both_ ? LeafletClaim::Guessed
@@ -253,7 +174,7 @@ class LabelChoice {
                           std::any_of(posterior.begin(), posterior.end(), is_given)
                       ? LeafletClaim::Given
                       : LeafletClaim::Named;
-    order.called = {called(Part::Anterior), called(Part::Posterior)};
+    order.called = {called(ValvePart::Anterior), called(ValvePart::Posterior)};
     for (std::size_t i = 0; i < 2; ++i) {
       const auto &first = i == 0 ? anterior : posterior, &second = i == 0 ? posterior : anterior;
       if (first.size() == 1 && second.size() == 1)
@@ -261,14 +182,14 @@ class LabelChoice {
     }
     order.swap = "say";
     for (const auto& [labels, name] : {std::pair(posterior, "anterior"), {anterior, "posterior"}})
-      for (const Candidate* label : labels)
+      for (const LabelCandidate* label : labels)
         order.swap += std::string(" --label ") + name + '=' + std::to_string(label->number);
     return order;
   }
 
   std::vector<ImportedTip> sided() const {
     std::vector<ImportedTip> places;
-    for (const Candidate& candidate : all_) {
+    for (const LabelCandidate& candidate : all_) {
       const auto side = side_named(candidate.name);
       if (!side || std::string_view(candidate.reason) == "as given") continue;
       const LabelBox box = LabelVoxels(map_, candidate.label).box();
@@ -283,22 +204,24 @@ class LabelChoice {
  private:
   /// Labels of tissue; marks of a place are much smaller.
   void take_commissures() {
-    const LabelShape posterior = shape_of(*of(Part::Posterior)[0]);
-    for (Candidate& candidate : all_) {
+    const LabelShape posterior = shape_of(map_, *of(ValvePart::Posterior)[0]);
+    for (LabelCandidate& candidate : all_) {
       if (candidate.part || candidate.meant != NamedPart::Commissure ||
-          !is_like(shape_of(candidate), posterior))
+          !is_like(shape_of(map_, candidate), posterior))
         continue;
-      candidate.part = Part::Posterior;
+      candidate.part = ValvePart::Posterior;
       candidate.reason = "by its name in the file";
     }
   }
 
-  static std::string pointer(Part part) { return std::string("/label_numbers/") + option_of(part); }
+  static std::string pointer(ValvePart part) {
+    return std::string("/label_numbers/") + option_of(part);
+  }
 
   template <class Which>
   std::string listed(const Which& which) const {
     std::string text;
-    for (const Candidate& candidate : all_) {
+    for (const LabelCandidate& candidate : all_) {
       if (!which(candidate)) continue;
       if (text.size() > 100) return text + ", ...";
       text += (text.empty() ? "" : ", ") + std::to_string(candidate.number);
@@ -306,24 +229,16 @@ class LabelChoice {
     return text.empty() ? "none" : text;
   }
 
-  LabelShape shape_of(const Candidate& candidate) const {
-    const LabelVoxels voxels(map_, candidate.label);
-    const LabelBox box = voxels.box();
-    const Index crossings = voxels.crossings(box);
-    return {
-        2.0 * static_cast<double>(box.count) / static_cast<double>(std::max<Index>(1, crossings)),
-        box.count};
-  }
-
   /// Those that are like the known leaflet or, without one, like label 1 or, if that is much thicker, the thinnest; like that
   /// is another one, if any two are alike: remains of an annulus are as thin.
-  std::vector<Candidate*> leaflet_like(const std::vector<Candidate*>& free, Part known) const {
+  std::vector<LabelCandidate*> leaflet_like(const std::vector<LabelCandidate*>& free,
+                                            ValvePart known) const {
     if (free.size() > kMostLookedAt) return free;
     std::vector<LabelShape> shapes;
-    for (const Candidate* candidate : free) shapes.push_back(shape_of(*candidate));
+    for (const LabelCandidate* candidate : free) shapes.push_back(shape_of(map_, *candidate));
     LabelShape like;
     if (const auto leaflet = of(known); !leaflet.empty()) {
-      like = shape_of(*leaflet[0]);
+      like = shape_of(map_, *leaflet[0]);
     } else {
       const auto has_other = [&](const LabelShape& one) {
         return std::count_if(shapes.begin(), shapes.end(),
@@ -334,22 +249,22 @@ class LabelChoice {
       for (const LabelShape& shape : shapes)
         if ((!paired || has_other(shape)) && shape.thickness < like.thickness) like = shape;
       for (std::size_t i = 0; i < free.size(); ++i)
-        if (free[i]->number == kConventions[0].anterior && is_like(shapes[i], like))
-          like = shapes[i];
+        if (free[i]->number == kUsualAnterior && is_like(shapes[i], like)) like = shapes[i];
     }
-    std::vector<Candidate*> found;
+    std::vector<LabelCandidate*> found;
     for (std::size_t i = 0; i < free.size(); ++i)
       if (is_like(shapes[i], like)) found.push_back(free[i]);
     return found;
   }
 
-  void too_many(const std::vector<Candidate*>& free) {
-    const auto is_free = [&](const Candidate& c) {
-      return std::any_of(free.begin(), free.end(), [&](const Candidate* f) { return f == &c; });
+  void too_many(const std::vector<LabelCandidate*>& free) {
+    const auto is_free = [&](const LabelCandidate& c) {
+      return std::any_of(free.begin(), free.end(),
+                         [&](const LabelCandidate* f) { return f == &c; });
     };
     std::string why;
-    if (of(Part::Annulus).empty())
-      for (const Candidate* candidate : free)
+    if (of(ValvePart::Annulus).empty())
+      for (const LabelCandidate* candidate : free)
         if (const auto line = label_curve(map_, candidate->label); !line && candidate->number == 3)
           why = "; the file " + line.errors()[0].message;
     problems_.add(ErrorCode::BadReference, "/label_numbers",
@@ -360,17 +275,17 @@ class LabelChoice {
   }
 
   const LabelMap& map_;
-  std::vector<Candidate> all_;
+  std::vector<LabelCandidate> all_;
   ProblemList& problems_;
   bool found_both_ = false;
 };
 
 /// With the voxels of several labels as the first of them.
-LabelMap merged(const LabelMap& map, const std::vector<const Candidate*>& labels) {
+LabelMap merged(const LabelMap& map, const std::vector<const LabelCandidate*>& labels) {
   LabelMap one = map;
   const auto volume = static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]);
   const LabelAt& first = labels[0]->label;
-  for (const Candidate* other : labels)
+  for (const LabelCandidate* other : labels)
     for (std::size_t i = 0; i < volume; ++i)
       if (map.voxels[static_cast<std::size_t>(other->label.layer) * volume + i] ==
           other->label.value)
@@ -389,7 +304,7 @@ std::string frame_words(const LabelMap& map) {
 
 std::vector<SourcePart> labels_in(const LabelMap& map) {
   std::vector<SourcePart> labels;
-  for (const Candidate& candidate : candidates(map)) labels.push_back({candidate.number});
+  for (const LabelCandidate& candidate : candidates(map)) labels.push_back({candidate.number});
   return labels;
 }
 
@@ -397,11 +312,11 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
                                  const LabelUse& with) {
   ProblemList problems;
   LabelChoice choice(map, problems);
-  choice.take_given(Part::Anterior, numbers.anterior);
-  choice.take_given(Part::Posterior, numbers.posterior);
-  choice.take_given(Part::Annulus, numbers.annulus);
+  choice.take_given(ValvePart::Anterior, numbers.anterior);
+  choice.take_given(ValvePart::Posterior, numbers.posterior);
+  choice.take_given(ValvePart::Annulus, numbers.annulus);
   if (!problems.empty()) return std::move(problems).take();
-  for (const Part part : kParts) choice.take_named(part);
+  for (const ValvePart part : kValveParts) choice.take_named(part);
   choice.refuse_other_valves(!numbers.anterior.empty() && !numbers.posterior.empty());
   choice.find_annulus();
   choice.find_leaflets();
@@ -410,15 +325,16 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   parts.order = choice.order();
   parts.parts = choice.parts();
   parts.sided = choice.sided();
-  for (const Part part : kParts) {
+  for (const ValvePart part : kValveParts) {
     const auto labels = choice.of(part);
     if (labels.empty()) continue;
-    if (part == Part::Annulus && !with.annulus) {
+    if (part == ValvePart::Annulus && !with.annulus) {
       parts.decisions.push_back({"labels", choice.called(part) + " not used",
                                  "it is the annulus, which was provided as a separate file"});
       continue;
     }
-    if (part == Part::Annulus || labels.size() > 1 || parts.order.claim != LeafletClaim::Guessed)
+    if (part == ValvePart::Annulus || labels.size() > 1 ||
+        parts.order.claim != LeafletClaim::Guessed)
       parts.decisions.push_back(
           {"labels",
            choice.called(part) + (labels.size() == 1 ? " is the " : " are the ") + words_of(part),
@@ -429,7 +345,7 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
     const auto take = [&](const Errors& errors) {
       for (const Error& error : errors) problems.add(error.code, "/labels", error.message);
     };
-    if (part == Part::Annulus) {
+    if (part == ValvePart::Annulus) {
       Expected<Points> line = label_curve(whole, labels[0]->label);
       line ? void(parts.annulus_mm = *std::move(line)) : take(line.errors());
     } else {
@@ -446,6 +362,13 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
          with.phase_given ? "as given"
                           : "it is the first phase with labels; use --phase to select another",
          !with.phase_given, with.phase_given ? 1.0 : 0.5});
+  if (map.masks > 0)
+    parts.decisions.push_back(
+        {"labels",
+         std::to_string(map.masks) + " masks taken as one label each" +
+             (map.masks > map.layers ? ", one of them as the background" : ""),
+         "they contain only 0 and 1 and hardly overlap; use --phase if they are phases", true,
+         0.8});
   if (!map.frame_doubt.empty())
     parts.decisions.push_back(
         {"labels", map.frame_doubt, "the header contradicts itself", true, 0.5});

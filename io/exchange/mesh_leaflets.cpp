@@ -86,7 +86,9 @@ Expected<MeshLeaflets> leaflets_of(MeshParts parts, const LabelNumbers& given) {
                       (meant == NamedPart::Annulus && !given.annulus.empty())))
       meant = meant == NamedPart::Annulus ? NamedPart::Other : std::optional<NamedPart>();
     if (const auto side = side_named(part.name); surface && side && !is_given)
-      found.sided.push_back({*side, Vec3(part.mesh.vertices_mm.colwise().mean())});
+      found.sided.push_back(
+          {*side,
+           Vec3(part.mesh.vertices_mm(part.mesh.faces.reshaped(), Eigen::all).colwise().mean())});
     if (!surface && part.line_mm.rows() >= kLeastOfLine && (meant == NamedPart::Annulus || !meant))
       annulus.push_back(i);
     else if (surface && meant == NamedPart::Anterior)

@@ -30,6 +30,8 @@ struct LabelMap {
   std::vector<LabelName> names;
   std::string
       frame_doubt;  ///< where the file says two things of where its voxels are: which was taken; else empty
+  /// Of a file of one mask for each label: how many, the background's among them; else 0.
+  int masks = 0;
 
   Vec3 centre_mm(double i, double j, double k) const {
     return (to_lps_mm * Eigen::Vector4d(i, j, k, 1.0)).head<3>();

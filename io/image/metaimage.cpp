@@ -8,6 +8,7 @@
 
 #include "core/valve/problem_list.h"
 #include "io/image/image_geometry.h"
+#include "io/image/label_phases.h"
 #include "io/image/voxel_stream.h"
 #include "io/mesh/text_scan.h"
 
@@ -163,7 +164,7 @@ class MetaImageReader {
     if (header_.field("BinaryData") == "False")
       return {Error{ErrorCode::Unsupported, "/BinaryData", "must be True"}};
     ByteStream stream(data, packed ? Packing::Zlib : Packing::None);
-    return read_phase(stream, layout, phase_, map_);
+    return read_phase(stream, layout, phase_, most_voxels_, map_);
   }
 
   MetaHeader header_;

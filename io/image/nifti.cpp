@@ -13,6 +13,7 @@
 #include "core/valve/problem_list.h"
 #include "io/image/image_geometry.h"
 #include "io/image/label_map.h"
+#include "io/image/label_phases.h"
 #include "io/image/voxel_stream.h"
 #include "io/mesh/byte_scan.h"
 
@@ -203,13 +204,16 @@ void read_size(const HeaderFields& header, Index most_voxels, LabelMap& map,
     voxels *= map.size[i];
   }
   for (std::size_t i = 4; good && i <= static_cast<std::size_t>(count); ++i) {
-    good = header.dim(i) == 1.0 || (i == 4 && header.dim(i) > 1.0 && header.dim(i) <= kMostPhases);
-    if (good && i == 4) map.phases = static_cast<int>(header.dim(i));
+    // Phases along the fourth axis, or masks along the fifth, which is for vectors.
+    const bool several = (i == 4 || (i == 5 && map.phases == 1)) && header.dim(i) > 1.0 &&
+                         header.dim(i) <= kMostPhases;
+    good = header.dim(i) == 1.0 || several;
+    if (several) map.phases = static_cast<int>(header.dim(i));
   }
   if (!good)
     problems.add(ErrorCode::OutOfRange, "/dim",
                  "must be one volume of at most " + std::to_string(most_voxels) +
-                     " voxels, or up to 1000 of them as phases");
+                     " voxels, or up to 1000 of them as phases or masks");
 }
 
 void check_numbers(const HeaderFields& header, ProblemList& problems) {
@@ -267,7 +271,12 @@ Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels, int pha
   layout.type = *type_of(header.datatype());
   layout.order = order;
   layout.count = static_cast<std::size_t>(map.size[0] * map.size[1] * map.size[2]);
-  if (Errors errors = read_phase(stream, layout, phase, map); !errors.empty()) return errors;
+  if (Errors errors = read_phase(stream, layout, phase, most_voxels, map); !errors.empty())
+    return errors;
+  if (header.dim(0) >= 5.0 && header.dim(5) > 1.0 && map.masks == 0)
+    return Error{ErrorCode::OutOfRange, "/dim",
+                 "has several numbers for each voxel; they must be masks of 0 and 1, one for each "
+                 "label"};
   return map;
 }
 

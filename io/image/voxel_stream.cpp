@@ -178,26 +178,6 @@ Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const Voxel
   return kTruncated;
 }
 
-Errors read_phase(ByteStream& stream, const VoxelLayout& of_a_phase, int phase, LabelMap& map) {
-  if (phase > map.phases)
-    return {Error{ErrorCode::OutOfRange, "/phase",
-                  "is " + std::to_string(phase) + "; the file has " + std::to_string(map.phases)}};
-  std::vector<std::uint16_t> first;
-  for (int at = 1; at <= map.phases; ++at) {
-    Expected<std::vector<std::uint16_t>> labels = read_labels(stream, of_a_phase);
-    if (!labels) return labels.errors();
-    const bool empty = std::all_of(labels->begin(), labels->end(), [](auto l) { return l == 0; });
-    if (at == phase || (phase == 0 && !empty)) {
-      map.voxels = *std::move(labels);
-      map.phase = at;
-      return {};
-    }
-    if (at == 1) first = *std::move(labels);
-  }
-  map.voxels = std::move(first);
-  return {};
-}
-
 Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count) {
   constexpr std::string_view kBlanks = " \t\r\n\f\v,";
   std::vector<std::uint16_t> labels;

@@ -54,10 +54,6 @@ std::size_t bytes_of(VoxelType type);
 /// Errors at "/data": truncated or damaged; numbers that are not whole or not from 0 to 65535.
 Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const VoxelLayout& layout);
 
-/// The voxels of one phase of a map into it, of phases that stand one after the other. @param phase from 1; 0: the first that has
-/// labels, or the first. @pre map.phases
-Errors read_phase(ByteStream& stream, const VoxelLayout& of_a_phase, int phase, LabelMap& map);
-
 /// Numbers as words.
 Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count);
 

@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kMaxRows = 100'000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::array<std::string_view, 6> kFormats = {"csv", "txt", "tsv", "dat", "xyz", "fcsv"};
+constexpr std::array<std::string_view, 4> kUnitWords = {"mm", "cm", "in", "m"};
 constexpr std::array<std::string_view, 4> kUnitEndings = {"_mm", "_cm", "_in", "_m"};
 
 /// What is between fields; a blank stands for any number of blanks and tabs.
@@ -37,7 +38,11 @@ std::vector<std::string_view> split(std::string_view row, char separator) {
     found = words(row);
   } else {
     for (std::size_t start = 0; found.size() < kMaxWords;) {
-      const std::size_t end = row.find(separator, start);
+      // What stands in quotes is one field, whatever it holds: "1,5","2,5".
+      const std::size_t open = std::min(row.find_first_not_of(" \t", start), row.size());
+      const std::size_t close =
+          row.substr(open).starts_with('"') ? row.find('"', open + 1) : std::string_view::npos;
+      const std::size_t end = row.find(separator, close == std::string_view::npos ? start : close);
       found.push_back(row.substr(start, end - start));
       if (end == std::string_view::npos) break;
       start = end + 1;
@@ -81,6 +86,20 @@ std::vector<std::string> names_in(std::string_view line, bool comment,
       points && (has_all(names, "ras") || has_all(names, "lps") || has_all(names, "xyz"));
   if (!has_one && !has_axes) names.clear();
   return names;
+}
+
+/// The one unit that all fields of a row say, as some programs write below the names; else empty.
+std::string unit_row(std::string_view line) {
+  std::string unit;
+  for (const std::string_view field : split(line, separator_of(line))) {
+    const std::string_view word = trimmed(field.substr(0, field.find_last_not_of(")]") + 1));
+    const std::string name(word.substr(std::min(word.find_first_not_of("[("), word.size())));
+    if (std::find(kUnitWords.begin(), kUnitWords.end(), name) == kUnitWords.end() ||
+        (!unit.empty() && name != unit))
+      return {};
+    unit = name;
+  }
+  return unit;
 }
 
 /// Between brackets, or behind an underscore.
@@ -157,11 +176,18 @@ Expected<CsvTable> read_csv(std::string_view text,
       }
     }
     if (comment) continue;
+    if (table.rows.empty() && !table.names.empty())
+      if (std::string unit = unit_row(content); !unit.empty()) {
+        table.unit = std::move(unit);
+        continue;
+      }
     if (separator == 0) {
       separator = separator_of(content);
       table.decimal_commas = separator != ',';
     }
     table.rows.push_back({line->number, split(content, separator)});
+    for (const std::string_view field : table.rows.back().fields)
+      table.decimal_commas = table.decimal_commas || field.find(',') != std::string_view::npos;
     if (table.rows.size() > kMaxRows)
       return Error{ErrorCode::OutOfRange, "", "has more than the 100,000 rows accepted"};
   }

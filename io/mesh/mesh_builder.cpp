@@ -28,17 +28,23 @@ void MeshBuilder::add_problem(ErrorCode code, const std::string& path, int line,
 }
 
 void MeshBuilder::add_vertex(const Vec3& position_mm, int line) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double number = position_mm[axis];
-    if (number >= kMeshCoordinateMm.min && number <= kMeshCoordinateMm.max) continue;
-    add_problem(ErrorCode::OutOfRange,
-                "/vertices_mm/" + std::to_string(vertices()) + '/' + std::to_string(axis), line,
-                "is " + shown(number) + ", must be from -1e5 to 1e5 mm");
-  }
+  if (!(position_mm.array() >= kMeshCoordinateMm.min).all() ||
+      !(position_mm.array() <= kMeshCoordinateMm.max).all())
+    wild_.push_back({vertices_.size(), line});
   vertices_.push_back(position_mm);
   if (vertices_.size() == kMaxVertices + 1) {
     add_problem(ErrorCode::OutOfRange, "/vertices_mm", line,
                 "has more than the 2,000,000 vertices accepted");
+  }
+}
+
+void MeshBuilder::add_wild(const Wild& wild) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double number = vertices_[wild.vertex][axis];
+    if (number >= kMeshCoordinateMm.min && number <= kMeshCoordinateMm.max) continue;
+    add_problem(ErrorCode::OutOfRange,
+                "/vertices_mm/" + std::to_string(wild.vertex) + '/' + std::to_string(axis),
+                wild.line, "is " + shown(number) + ", must be from -1e5 to 1e5 mm");
   }
 }
 
@@ -69,10 +75,14 @@ bool MeshBuilder::full() const {
 
 Expected<TriangleMesh> MeshBuilder::take() && {
   std::size_t usable = 0;
+  std::vector<bool> used(wild_.empty() ? 0 : vertices_.size(), false);
   for (std::size_t face = 0; face < faces_.size(); ++face) {
     const auto& corners = faces_[face].corners;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      if (corners[corner] >= 0 && corners[corner] < vertices()) continue;
+      if (corners[corner] >= 0 && corners[corner] < vertices()) {
+        if (!used.empty()) used[static_cast<std::size_t>(corners[corner])] = true;
+        continue;
+      }
       add_problem(ErrorCode::BadReference,
                   "/faces/" + std::to_string(face) + '/' + std::to_string(corner),
                   faces_[face].line,
@@ -82,6 +92,8 @@ Expected<TriangleMesh> MeshBuilder::take() && {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     faces_[usable++] = faces_[face];
   }
+  for (const Wild& wild : wild_)
+    if (used[wild.vertex]) add_wild(wild);
   if (problems_.empty() && usable == 0) {
     add_problem(ErrorCode::MissingField, "/faces", 0, "is empty; a leaflet needs triangles");
   }
@@ -98,6 +110,7 @@ Expected<TriangleMesh> MeshBuilder::take() && {
 }
 
 Expected<Points> MeshBuilder::take_points() && {
+  for (const Wild& wild : wild_) add_wild(wild);
   if (!problems_.empty()) return std::move(problems_).take();
   return as_points(vertices_);
 }

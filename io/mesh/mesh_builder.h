@@ -16,7 +16,7 @@ inline constexpr Range kMeshCoordinateMm = {-1e5, 1e5};
 
 class MeshBuilder {
  public:
-  /// @param line of the file, 0 if it is binary.
+  /// Coordinates out of kMeshCoordinateMm are a problem where a triangle has them. @param line of the file, 0 if it is binary.
   void add_vertex(const Vec3& position_mm, int line);
 
   /// Indices from 0; three or more corners are split into a fan.
@@ -44,7 +44,15 @@ class MeshBuilder {
     std::array<long long, 3> corners;
     int line, polygon;
   };
+  /// A vertex that no leaflet can have.
+  struct Wild {
+    std::size_t vertex;
+    int line;
+  };
+  void add_wild(const Wild& wild);
+
   std::vector<Vec3> vertices_;
+  std::vector<Wild> wild_;
   std::vector<Triangle> faces_;
   int polygons_ = 0;
   ProblemList problems_;

@@ -1,5 +1,6 @@
 #include "io/mesh/mesh_file.h"
 
+#include "io/mesh/gltf.h"
 #include "io/mesh/obj.h"
 #include "io/mesh/ply.h"
 #include "io/mesh/stl.h"
@@ -39,9 +40,16 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
     if (!grid) return grid.errors();
     return std::move(grid->mesh);
   }
+  if (is_gltf_format(format)) {
+    Expected<GroupedMesh> file = read_gltf(bytes);
+    if (!file) return file.errors();
+    if (file->mesh.faces.rows() == 0)
+      return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
+    return std::move(file->mesh);
+  }
   return Error{ErrorCode::Unsupported, "",
                "mesh format '" + std::string(format.substr(0, 20)) +
-                   "', accepted: obj, ply, stl, vtk, vtp, vtu"};
+                   "', accepted: obj, ply, stl, glb, gltf, vtk, vtp, vtu"};
 }
 
 }  // namespace coapt

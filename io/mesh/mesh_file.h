@@ -1,5 +1,5 @@
 // Triangle meshes in the formats that segmentation tools write: OBJ, PLY (ASCII and binary), STL
-// (ASCII and binary), legacy VTK (ASCII). Unstructured grids of XML VTK: vtu.h.
+// (ASCII and binary), glTF, legacy VTK. Unstructured grids of XML VTK: vtu.h.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ TriangleMesh joined(const std::vector<TriangleMesh>& meshes);
 inline constexpr std::size_t kMostUnpacked = std::size_t{96} << 20;
 inline constexpr std::size_t kMostUnpackedSent = std::size_t{8} << 20;
 
-/// @param format "obj", "ply", "stl", "vtk", "vtp" or "vtu". Polygons are split into fans; STL vertices are welded.
+/// @param format "obj", "ply", "stl", "glb", "gltf", "vtk", "vtp" or "vtu". Polygons are split into fans; STL vertices are welded.
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format,
                                  std::size_t most_unpacked = kMostUnpackedSent);
 

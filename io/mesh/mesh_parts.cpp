@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/valve/number_text.h"
+#include "io/mesh/gltf.h"
 #include "io/mesh/obj.h"
 #include "io/mesh/sheet_repair.h"
 #include "io/mesh/stl.h"
@@ -112,14 +113,14 @@ MeshParts in_large_pieces(TriangleMesh mesh) {
   return parts;
 }
 
-MeshParts obj_parts(ObjFile file) {
+MeshParts grouped_parts(GroupedMesh file) {
   std::map<int, std::string> names;
   for (std::size_t i = 0; i < file.groups.size(); ++i) names[static_cast<int>(i)] = file.groups[i];
   std::vector<int> of_face;
   for (const int polygon : file.mesh.polygons)
     of_face.push_back(file.group_of_polygon[static_cast<std::size_t>(polygon)]);
   std::map<int, Segments> lines;
-  for (const ObjLine& line : file.lines)
+  for (const GroupedLine& line : file.lines)
     for (std::size_t k = 1; k < line.points.size(); ++k)
       lines[line.group].push_back({line.points[k - 1], line.points[k]});
   std::set<int> used(of_face.begin(), of_face.end());
@@ -217,7 +218,8 @@ Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view for
     if (!read) return read.errors();
     return parts(*std::move(read));
   };
-  if (format == "obj") return parts_of(read_obj_file(bytes), obj_parts);
+  if (format == "obj") return parts_of(read_obj_file(bytes), grouped_parts);
+  if (is_gltf_format(format)) return parts_of(read_gltf(bytes), grouped_parts);
   if (format == "stl") return parts_of(read_stl_file(bytes), stl_parts);
   if (format == "vtk") return parts_of(read_vtk(bytes), vtk_parts);
   if (format == "vtp") {
@@ -235,11 +237,11 @@ Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view for
 Expected<Points> read_mesh_line(std::string_view bytes, std::string_view format) {
   Segments segments;
   Points points;
-  if (format == "obj") {
-    const Expected<ObjFile> file = read_obj_file(bytes);
+  if (format == "obj" || is_gltf_format(format)) {
+    const Expected<GroupedMesh> file = format == "obj" ? read_obj_file(bytes) : read_gltf(bytes);
     if (!file) return file.errors();
     points = file->mesh.vertices_mm;
-    for (const ObjLine& line : file->lines)
+    for (const GroupedLine& line : file->lines)
       for (std::size_t k = 1; k < line.points.size(); ++k)
         segments.push_back({line.points[k - 1], line.points[k]});
   } else if (format == "vtp") {

@@ -50,7 +50,10 @@ constexpr std::array kGroupings = {"objects", "groups", "materials"};
 
 class ObjReader {
  public:
-  Expected<ObjFile> read(std::string_view text) {
+  Expected<GroupedMesh> read(std::string_view text) {
+    if (constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+        text.starts_with(kByteOrderMark))
+      text.remove_prefix(kByteOrderMark.size());  // or the first vertex would be passed over
     LineScanner lines(text);
     while (const auto line = lines.next()) {
       if (mesh_.full()) break;
@@ -78,7 +81,7 @@ class ObjReader {
 
   void add_line(const std::vector<std::string_view>& tokens, int number) {
     const std::string path = "/lines/" + std::to_string(lines_.size());
-    ObjLine& line = file_.lines.emplace_back();
+    GroupedLine& line = file_.lines.emplace_back();
     lines_.push_back(under_);
     for (const long long point : corners_of(tokens, number, path, mesh_)) {
       if (point < 0 || point >= mesh_.vertices())
@@ -97,7 +100,7 @@ class ObjReader {
     return found->second;
   }
 
-  Expected<ObjFile> finish() {
+  Expected<GroupedMesh> finish() {
     if (mesh_.faces() == 0 && !file_.lines.empty()) {
       Expected<Points> points = std::move(mesh_).take_points();
       if (!points) return points.errors();
@@ -122,7 +125,7 @@ class ObjReader {
   }
 
   MeshBuilder mesh_;
-  ObjFile file_;
+  GroupedMesh file_;
   Under under_{};
   std::vector<Under> polygons_, lines_;
   std::vector<std::string> names_ = {""};
@@ -131,10 +134,10 @@ class ObjReader {
 
 }  // namespace
 
-Expected<ObjFile> read_obj_file(std::string_view text) { return ObjReader().read(text); }
+Expected<GroupedMesh> read_obj_file(std::string_view text) { return ObjReader().read(text); }
 
 Expected<TriangleMesh> read_obj(std::string_view text) {
-  Expected<ObjFile> file = read_obj_file(text);
+  Expected<GroupedMesh> file = read_obj_file(text);
   if (!file) return file.errors();
   if (file->mesh.faces.rows() == 0)
     return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};

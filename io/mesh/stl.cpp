@@ -23,13 +23,11 @@ class Welder {
   explicit Welder(MeshBuilder& mesh) : mesh_(mesh) {}
 
   void add_corner(const Vec3& p, int line) {
-    if (!p.allFinite()) {
-      mesh_.add_vertex(p, line);  // says what is wrong with it
-      return;
-    }
-    const auto [found, fresh] = index_.try_emplace({p.x(), p.y(), p.z()}, mesh_.vertices());
-    if (fresh) mesh_.add_vertex(p, line);
-    triangle_.push_back(found->second);
+    long long vertex = mesh_.vertices();
+    if (p.allFinite())  // else there is no order, and the builder says what is wrong with it
+      vertex = index_.try_emplace({p.x(), p.y(), p.z()}, vertex).first->second;
+    if (vertex == mesh_.vertices()) mesh_.add_vertex(p, line);
+    triangle_.push_back(vertex);
     if (triangle_.size() < 3) return;
     mesh_.add_polygon(triangle_, line);
     triangle_.clear();

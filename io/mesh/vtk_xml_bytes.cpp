@@ -155,6 +155,12 @@ Expected<std::vector<double>> numbers_as(std::string_view bytes, const std::stri
 
 }  // namespace
 
+std::optional<std::string> from_base64(std::string_view text) {
+  if (text.size() % 4 != 0) return {};
+  const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
+  return Source({text, false, false, {}}).peek(text.size() / 4 * 3 - padding);
+}
+
 Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
                                std::size_t most) {
   if (!stored.compressor.empty()) return unpacked_blocks(stored, path, most);

@@ -3,6 +3,7 @@
 // array is coded apart from the rest.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ struct StoredBytes {
 /// Unsupported, OutOfRange.
 Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
                                std::size_t most);
+
+/// Base64 without blanks; none: it is not.
+std::optional<std::string> from_base64(std::string_view text);
 
 /// `type`: VTK's names, "Float32" to "UInt64". At most `most` bytes of numbers.
 Expected<std::vector<double>> numbers_of(std::string_view bytes, std::string_view type,

@@ -13,7 +13,7 @@ from .errors import BadDocument, NoSuchFile
 
 Path = str | os.PathLike[str]
 
-GEOMETRY = (".obj", ".ply", ".stl", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".mha")
+GEOMETRY = (".obj", ".ply", ".stl", ".glb", ".gltf", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".mha")
 """Endings of files of which a valve is made."""
 
 

@@ -147,5 +147,41 @@ TEST(Nifti, WhatUnpacksToMoreThanItSaysIsReadNoFurther) {
   EXPECT_EQ(path_of(packed.substr(0, 20)), "");
 }
 
+/// Four volumes of four voxels along `axis`.
+std::string four(std::size_t axis, const std::string& voxels) {
+  std::string bytes = changed<std::int16_t>(40, static_cast<std::int16_t>(axis));
+  put<std::int16_t>(bytes, 40 + 2 * axis, 4);
+  return bytes.substr(0, 352) + voxels;
+}
+
+TEST(Nifti, OneMaskALabelIsALayerALabelWithoutTheBackground) {
+  const std::string masks("\1\1\1\0\0\0\0\1\0\0\0\0\0\0\0\0", 16);
+  for (const std::size_t axis : {4U, 5U}) {
+    const Expected<LabelMap> map = read_nifti(four(axis, masks));
+    ASSERT_TRUE(map) << map.errors()[0].path;
+    EXPECT_EQ(map->masks, 4);
+    EXPECT_EQ(map->layers, 3) << "the first is the background";
+    EXPECT_EQ(map->phases, 1);
+    EXPECT_EQ(labels_of(*map).size(), 1U);
+  }
+  const std::string more("\1\0\0\0\0\1\0\0\0\0\1\0\0\0\0\1", 16);
+  const Expected<LabelMap> map = read_nifti(four(4, more));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->masks, 4);
+  EXPECT_EQ(map->layers, 4) << "no mask is most of the image";
+  EXPECT_EQ(labels_of(*map).size(), 4U);
+  EXPECT_EQ(read_nifti(four(4, more), kMostVoxels, 2)->masks, 0) << "a phase was given";
+}
+
+TEST(Nifti, PhasesAreNoMasks) {
+  for (const std::string& voxels : {std::string("\0\0\0\0\1\2\0\0\1\2\0\0\0\0\0\0", 16),
+                                    std::string("\0\0\0\0\1\1\0\0\1\1\0\0\1\1\0\0", 16)}) {
+    const Expected<LabelMap> map = read_nifti(four(4, voxels));
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->masks, 0);
+    EXPECT_EQ(map->phase, 2) << "the first that has labels";
+  }
+}
+
 }  // namespace
 }  // namespace coapt

@@ -93,15 +93,27 @@ TEST(ImportReaders, PointsAreReadWithCommentsAndWithoutTheirNames) {
 
 TEST(ImportReaders, TheSamePointsInAnyTable) {
   for (const char* table :
-       {"1.5,2,3\n4,5,6.5\n", "\xef\xbb\xbfx,y,z\r\n1.5,2,3\r\n4,5,6.5\r\n",
-        "1.5\t2\t3\n4\t5\t6.5\n", "1.5 2   3\n  4 5 6.5 \n", "1.5;2;3\n4;5;6.5\n",
-        "x;y;z\n1,5;2;3\n4;5;6,5\n", "1,5 2,0 3,0\n4,0 5,0 6,5\n", "1,5\t2\t3\n4\t5\t6,5\n",
-        "y,z,id,x\n2,3,7,1.5\n5,6.5,8,4\n", "id,X [mm],Y [mm],Z [mm]\n1,1.5,2,3\n2,4,5,6.5\n",
+       {"1.5,2,3\n4,5,6.5\n",
+        "\xef\xbb\xbfx,y,z\r\n1.5,2,3\r\n4,5,6.5\r\n",
+        "1.5\t2\t3\n4\t5\t6.5\n",
+        "1.5 2   3\n  4 5 6.5 \n",
+        "1.5;2;3\n4;5;6.5\n",
+        "x;y;z\n1,5;2;3\n4;5;6,5\n",
+        "1,5 2,0 3,0\n4,0 5,0 6,5\n",
+        "1,5\t2\t3\n4\t5\t6,5\n",
+        "y,z,id,x\n2,3,7,1.5\n5,6.5,8,4\n",
+        "id,X [mm],Y [mm],Z [mm]\n1,1.5,2,3\n2,4,5,6.5\n",
         "\"Points:0\",\"Points:1\",\"Points:2\",\"Block Name\"\n1.5,2,3,a\n4,5,6.5,a\n",
-        "% x y z\n1.5 2 3\n4 5 6.5\n", "// traced\n# x_mm y_mm z_mm\n1.5 2 3\n4 5 6.5\n",
+        "% x y z\n1.5 2 3\n4 5 6.5\n",
+        "// traced\n# x_mm y_mm z_mm\n1.5 2 3\n4 5 6.5\n",
         "# x_mm,y_mm,z_mm  2 points, in order [1 0], traced\n1.5,2,3\n4,5,6.5\n",
-        "# from x\n1.5,2,3\n4,5,6.5\n", "label,r,a,s\nF-1,1.5,2,3\nF-2,4,5,6.5\n",
-        "1.5,2,3,\n4,5,6.5,\n", "x,y,z\r1.5,2,3\r4,5,6.5\r",
+        "# from x\n1.5,2,3\n4,5,6.5\n",
+        "label,r,a,s\nF-1,1.5,2,3\nF-2,4,5,6.5\n",
+        "\"1.5\",\"2\",\"3\"\n\"4\",\"5\",\"6,5\"\n",
+        "x,y,z\nmm,mm,mm\n1.5,2,3\n4,5,6.5\n",
+        "x;y;z\n[mm];[mm];[mm]\n1,5;2;3\n4;5;6,5\n",
+        "1.5,2,3,\n4,5,6.5,\n",
+        "x,y,z\r1.5,2,3\r4,5,6.5\r",
         "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n# columns = "
         "id,x,y,z,ow,label\n"
         "1,1.5,2,3,0,C-1\n2,4,5,6.5,0,C-2\n"}) {

@@ -132,6 +132,19 @@ TEST(MeshFile, AnIndexOutOfRangeIsNamedWithItsLine) {
   EXPECT_EQ(error.message, "line 4: is vertex 8 counted from 0, must be 0 to 2");
 }
 
+TEST(MeshFile, WhatPointsOfNoTriangleHoldDoesNotMatter) {
+  for (const char* wild : {"v nan inf 0\n", "v 1e30 0 0\n"}) {
+    EXPECT_TRUE(read_mesh(std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n") + wild, "obj"));
+    EXPECT_EQ(problem(std::string("v 0 0 0\nv 1 0 0\n") + wild + "f 1 2 3\n", "obj").code,
+              ErrorCode::OutOfRange);
+  }
+  EXPECT_EQ(problem("solid x\nfacet\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\nendfacet\n"
+                    "endsolid x\n",
+                    "stl")
+                .path,
+            "/vertices_mm/1/0");
+}
+
 TEST(MeshFile, NotANumberIsNamedWithItsLine) {
   const Error error = problem("v 0 0 0\nv 1 nan 0\nv 1 1 0\nf 1 2 3\n", "obj");
   EXPECT_EQ(error.code, ErrorCode::OutOfRange);
@@ -202,7 +215,8 @@ TEST(MeshFile, WhatIsNoMeshIsRefused) {
   EXPECT_EQ(problem("", "stl").code, ErrorCode::InputOutput);
   EXPECT_EQ(problem("solid x\n facet\n vertex 0 0 0\n endfacet\n", "stl").code,
             ErrorCode::WrongType);
-  EXPECT_EQ(problem(kObj, "glb").code, ErrorCode::Unsupported);
+  EXPECT_EQ(problem(kObj, "glb").code, ErrorCode::InvalidJson);
+  EXPECT_EQ(problem(kObj, "fbx").code, ErrorCode::Unsupported);
 }
 
 TEST(MeshFile, APlyWithoutCoordinatesOrFacesIsRefused) {

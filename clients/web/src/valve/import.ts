@@ -120,7 +120,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     ),
     filePicker('Files', 'Choose files', {
       multiple: true,
-      accept: '.obj,.ply,.stl,.vtk,.vtp,.vtu,.nrrd,.nii,.gz,.mha,.csv,.json',
+      accept: '.obj,.ply,.stl,.glb,.gltf,.vtk,.vtp,.vtu,.nrrd,.nhdr,.nii,.gz,.bz2,.mha,.mhd,.raw,.zraw,.csv,.json',
       use: take,
     }),
     rows,
@@ -342,7 +342,7 @@ function holds(file: FileLookedAt | null): string {
   switch (file.content) {
     case 'surface':
     case 'labels':
-      return counted(file.faces.length / 3, 'triangle')
+      return file.faces.length === 0 ? 'label map' : counted(file.faces.length / 3, 'triangle')
     case 'curve':
       return `line of ${counted(points, 'point')}`
     case 'chordae':

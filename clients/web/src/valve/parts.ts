@@ -6,6 +6,7 @@ export const ROLES = [
   ['anterior', 'anterior or both leaflets'],
   ['posterior', 'posterior leaflet'],
   ['labels', 'segmentation (label map)'],
+  ['voxels', 'voxels of the label map'],
   ['annulus', 'annulus'],
   ['chordae', 'chordae'],
   ['tips', 'papillary tips'],
@@ -15,9 +16,11 @@ export const ROLES = [
 ] as const
 export type Role = (typeof ROLES)[number][0]
 
-const MESHES = ['obj', 'ply', 'stl', 'vtk', 'vtp', 'vtu']
-const LABEL_MAPS = ['nrrd', 'nii', 'gz', 'mha']
-const BINARY = ['ply', 'stl', 'vtk', 'vtp', 'vtu', ...LABEL_MAPS] // may be
+const MESHES = ['obj', 'ply', 'stl', 'glb', 'gltf', 'vtk', 'vtp', 'vtu']
+const HEADERS = ['nhdr', 'mhd'] // of label maps whose voxels are in a file of their own
+const LABEL_MAPS = ['nrrd', 'nii', 'gz', 'mha', ...HEADERS]
+const VOXELS = ['raw', 'zraw', 'gz', 'bz2']
+const BINARY = ['ply', 'stl', 'glb', 'vtk', 'vtp', 'vtu', ...LABEL_MAPS, ...VOXELS] // may be
 
 function extensionOf(name: string): string {
   return name.split('.').pop()?.toLowerCase() ?? ''
@@ -28,8 +31,10 @@ export function guessedRoles(names: string[], contents: (FileLookedAt['content']
   const markups = names.filter((name) => name.toLowerCase().endsWith('.mrk.json'))
   const meshes = names.filter((name) => MESHES.includes(extensionOf(name)))
   if (markups.length > 1 || (markups.length === 1 && meshes.length > 2)) return names.map(() => 'folder')
+  const hasHeader = names.some((name) => HEADERS.includes(extensionOf(name)))
   return names.map((name, i) => {
     const content = contents[i] ?? null
+    if (hasHeader && VOXELS.includes(extensionOf(name))) return 'voxels'
     const isMesh = MESHES.includes(extensionOf(name))
     if (content === 'labels' || LABEL_MAPS.includes(extensionOf(name))) return 'labels'
     if (/annul/i.test(name)) return 'annulus'
@@ -47,7 +52,7 @@ export function placed<T>(files: T[], roles: Role[]): Map<string, T> {
   const of = (role: Role): T[] => files.filter((_, i) => roles[i] === role)
   const places = new Map<string, T>()
   for (const [i, file] of [...of('anterior'), ...of('posterior')].entries()) places.set(`/leaflets/${i}`, file)
-  for (const role of ['labels', 'annulus', 'chordae', 'tips'] as const)
+  for (const role of ['labels', 'voxels', 'annulus', 'chordae', 'tips'] as const)
     for (const file of of(role)) places.set(`/${role}`, file)
   for (const file of of('surface')) places.set('/fit/surface', file)
   for (const [i, file] of of('folder').entries()) places.set(`/slicerheart/${i}`, file)
@@ -87,6 +92,7 @@ export async function filesToImport(files: File[], roles: Role[], settings: Impo
     const part = await packed(file)
     if (place === '/annulus') request.annulus = part
     else if (place === '/labels') request.labels = part
+    else if (place === '/voxels') request.voxels = part
     else if (place === '/chordae') request.chordae = part
     else if (place === '/tips') request.tips = part
     else if (place.startsWith('/leaflets/')) request.leaflets = [...(request.leaflets ?? []), part]

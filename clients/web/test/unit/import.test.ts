@@ -30,6 +30,23 @@ test('files are what their names say', () => {
   expect(guessedRoles(['skirt.obj', 'Annulus.mrk.json', 'chords.json'])).toEqual(['anterior', 'annulus', 'chordae'])
 })
 
+test('voxels go beside the header of a label map that they belong to', async () => {
+  expect(guessedRoles(['map.mhd', 'map.raw'])).toEqual(['labels', 'voxels'])
+  expect(guessedRoles(['map.raw.gz', 'map.nhdr', 'ring.csv'], [null, null, 'curve'])).toEqual([
+    'voxels',
+    'labels',
+    'annulus',
+  ])
+  expect(guessedRoles(['map.nii.gz'])).toEqual(['labels'])
+  const files = [new File(['NDims'], 'map.mhd'), new File([new Uint8Array([0, 255, 16])], 'map.raw')]
+  expect(await filesToImport(files, ['labels', 'voxels'], SETTINGS)).toEqual({
+    name: 'mine',
+    triangles: 500,
+    labels: { name: 'map.mhd', base64: 'TkRpbXM=' },
+    voxels: { name: 'map.raw', base64: 'AP8Q' },
+  })
+})
+
 test('meshes with lists of markups are a folder of SlicerHeart', () => {
   const names = ['anterior.vtk', 'posterior.vtk', 'chords.vtk', 'annulus.mrk.json', 'papillary.mrk.json']
   expect(new Set(guessedRoles(names))).toEqual(new Set(['folder']))
