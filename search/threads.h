@@ -1,8 +1,17 @@
-// Locks, teams of threads and exceptions that are held back; in the module for browsers, which has one thread and no exceptions, of
-// nothing.
+// Locks, teams of threads and exceptions that are held back. The module for browsers has one thread and no exceptions, but there may
+// be other workers that run the same program on the same input.
 #pragma once
 
 #if defined(__wasm__)
+// Of whoever runs the module (clients/web/src/engine/team.ts): the calls of a loop, handed out to its workers.
+extern "C" {
+/// 0: this worker makes all of them, and asks for none.
+[[clang::import_module("coapt"), clang::import_name("loop_begin")]] int coapt_loop_begin(int count);
+/// An index that nobody has begun; -1 after the last, when all have ended.
+[[clang::import_module("coapt"), clang::import_name("loop_take")]] int coapt_loop_take();
+[[clang::import_module("coapt"), clang::import_name("loop_end")]] void coapt_loop_end();
+}
+
 namespace coapt {
 
 struct Mutex {

@@ -12,14 +12,13 @@
 namespace coapt {
 namespace {
 
-EngineAnswer computed(const Operation& operation, std::string_view body,
-                      std::function<void(int, int)> progress) {
+EngineAnswer computed(const Operation& operation, std::string_view body) {
   const Expected<Json> request = parse_json(body);
   if (!request) return problem(400, request.errors());
   Points closed_mm;
-  Context context{.progress = std::move(progress), .closed = [&](const ClosedValve& closed) {
-                    closed_mm = closed.closure.closed_mm;
-                  }};
+  Context context{
+      .closed = [&](const ClosedValve& closed) { closed_mm = closed.closure.closed_mm; }};
+  if (further.searches) context.searches = further.searches;
   const Expected<OperationTask> task = operation.read(*request, context);
   if (!task) return problem(422, task.errors());
   Expected<OperationAnswer> answer = task->run(context);
@@ -30,13 +29,12 @@ EngineAnswer computed(const Operation& operation, std::string_view body,
 
 }  // namespace
 
-std::span<const Operation> (*further_operations)() = nullptr;
+FurtherOperations further;
 
-EngineAnswer answer(std::string_view path, std::string_view body,
-                    std::function<void(int done, int planned)> progress) {
+EngineAnswer answer(std::string_view path, std::string_view body) {
   const Operation* operation = operation_at(valve_operations(), path);
-  if (!operation && further_operations) operation = operation_at(further_operations(), path);
-  if (operation) return computed(*operation, body, std::move(progress));
+  if (!operation && further.all) operation = operation_at(further.all(), path);
+  if (operation) return computed(*operation, body);
   if (path == "/v1/rings") return json_answer(200, rings_answer());
   if (path == "/version")
     return json_answer(200, {{"version", version()},

@@ -1,7 +1,6 @@
 // coapt's engine without a service: what it answers to requests on one valve, for the page in a browser (WebAssembly).
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,12 +23,14 @@ struct EngineAnswer {
 /// What the service does not have, the trainer (docs/training.md): POST /v1/training/cases {"valve", "exam": "A" or "B", "seed"}
 /// answers coapt.training_case/1 with its shapes; /v1/training/exams {"schedule", "seed", "first_case"} coapt.training_exam/1;
 /// /v1/training/scores {"trials_csv"} coapt.training_score/1.
-/// With further_operations(), if that is set, to the requests of those, too.
-/// @param progress Context::progress; empty: nobody looks
-EngineAnswer answer(std::string_view path, std::string_view body,
-                    std::function<void(int done, int planned)> progress = {});
+/// With `further`, if that is set, to the requests of its operations, too.
+EngineAnswer answer(std::string_view path, std::string_view body);
 
-/// Null but where a program sets it before main(): plan_operations(), which make the module half as large again.
-extern std::span<const Operation> (*further_operations)();
+/// What a program sets before main(): plan_operations(), which make the module half as large again, and Context::searches of them.
+struct FurtherOperations {
+  std::span<const Operation> (*all)() = nullptr;
+  Errors (*searches)(const Valve&, const SearchOptions&, SearchContext&) = nullptr;
+};
+extern FurtherOperations further;
 
 }  // namespace coapt

@@ -5,10 +5,6 @@
 
 extern "C" {
 
-/// Of whoever runs the module: so many of so many closures are done.
-[[clang::import_module("coapt"), clang::import_name("progress")]] void coapt_progress(int done,
-                                                                                      int planned);
-
 /// Room for a request's path and body, UTF-8, to be written to before coapt_answer().
 [[clang::export_name("coapt_path")]] char* coapt_path(std::uint32_t size) {
   coapt::buffers().path.resize(size);
@@ -22,7 +18,7 @@ extern "C" {
 /// Answers; returns the status.
 [[clang::export_name("coapt_answer")]] int coapt_answer() {
   auto& [path, body, given] = coapt::buffers();
-  given = coapt::answer(path, body, coapt_progress);
+  given = coapt::answer(path, body);
   return given.status;
 }
 [[clang::export_name("coapt_answer_bytes")]] const char* coapt_answer_bytes() {

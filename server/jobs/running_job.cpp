@@ -1,6 +1,6 @@
 #include "server/jobs/running_job.h"
 
-#include "io/json/plan_json.h"
+#include "io/json/progress_json.h"
 
 namespace coapt {
 
@@ -40,20 +40,11 @@ double RunningJob::seconds() const {
 }
 
 Json to_json(const JobProgress& progress, double seconds) {
-  Json json = {{"stage", progress.stage},
-               {"closures", progress.closures},
-               {"closures_planned", progress.closures_planned},
-               {"best_leak_mm2", progress.best_leak_mm2},  // null if infinite
-               {"best_cost", progress.best_cost},
-               {"random_cost", progress.random_cost},
-               {"seconds", seconds}};
+  Json json = to_json(SearchProgress{progress.closures, progress.closures_planned,
+                                     progress.best_leak_mm2, progress.stage, progress.best_cost,
+                                     progress.random_cost, progress.leading});
+  json["seconds"] = seconds;
   if (progress.rms_mm) json["rms_mm"] = *progress.rms_mm;
-  if (const auto& best = progress.leading)
-    json["best"] = {{"cost", best->cost},
-                    {"nodes", best->nodes},
-                    {"leak_mm2", best->leak_mm2},
-                    {"description", best->description},
-                    {"plan", to_json(best->plan)}};
   return json;
 }
 

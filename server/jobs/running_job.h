@@ -53,8 +53,7 @@ class RunningJob {
   std::chrono::duration<double> waited_{0.0};  // but for now
 };
 
-/// {"stage", "closures", "closures_planned", "best_leak_mm2", "best_cost", "random_cost",
-/// "seconds", "rms_mm" (of a fit), "best" (if there is one): {"cost", "nodes", "leak_mm2", "description", "plan"}}
+/// That of a search (io/json/progress_json.h), "seconds" and "rms_mm" (of a fit).
 Json to_json(const JobProgress& progress, double seconds);
 
 }  // namespace coapt

@@ -3,10 +3,20 @@
  * Research software, not a medical device; not for clinical decisions.
  */
 import type { components } from '../src/api/openapi.js'
-import type { Closure, Evaluations, Opening, Plan, Scene, SearchResult, ValveDocument } from '../src/api/types.js'
-import { Threads } from './threads'
+import type {
+  Closure,
+  Evaluations,
+  Opening,
+  Plan,
+  Scene,
+  SearchProgress,
+  SearchResult,
+  ValveDocument,
+} from '../src/api/types.js'
+import { Threads } from '../src/engine/threads'
+import { startThread } from './start'
 
-export type { Closure, Evaluations, Opening, Plan, Scene, ValveDocument }
+export type { Closure, Evaluations, Opening, Plan, Scene, SearchProgress, ValveDocument }
 type Schemas = components['schemas']
 export type Material = Schemas['Material']
 export type Search = Schemas['Search']
@@ -35,8 +45,10 @@ export interface Waiting {
 }
 
 export interface Searching extends Waiting {
-  /** Of closures; `planned` may grow and shrink while plans are dropped. */
-  progress?: (done: number, planned: number) => void
+  /** Of closures; `planned` may grow and shrink while plans are dropped. `now`: stage, best plan so far and its leak. */
+  progress?: (done: number, planned: number, now: SearchProgress) => void
+  /** Ends a search with the best plans so far; on pages that are not cross-origin isolated as `signal` does. */
+  finish?: AbortSignal
 }
 
 /** A repair before what is asked for, and the material in place of the valve's own. */
@@ -68,7 +80,10 @@ export interface OpenOptions extends Repaired {
 }
 
 export interface LoadOptions {
-  /** Requests that are computed at the same time, each by a thread of its own; others wait. Default: 2. */
+  /**
+   * Requests that are computed at the same time, each by a thread of its own; others wait. A search takes all that are idle, but in
+   * browsers on pages that are not cross-origin isolated, and has the same plans with any number. Default: 2.
+   */
   threads?: number
 }
 
@@ -77,7 +92,7 @@ export async function load({ threads = 2 }: LoadOptions = {}): Promise<Coapt> {
   if (!Number.isInteger(threads) || threads < 1) throw new RangeError('threads: must be an integer from 1')
   const module = await WebAssembly.compile(await bytesOf('coapt-planner.wasm'))
   const names = JSON.parse(new TextDecoder().decode(await bytesOf('presets/index.json'))) as string[]
-  return new Coapt(new Threads(module, threads), names)
+  return new Coapt(new Threads(async () => module, threads, startThread), names)
 }
 
 async function bytesOf(file: string): Promise<Uint8Array<ArrayBuffer>> {
@@ -120,9 +135,15 @@ export class Coapt {
   }
 
   /** The service's answer to a request of its document (openapi.json), for what has no method here. */
-  async ask<Answer>(path: string, body: string | object, { signal, progress }: Searching = {}): Promise<Answer> {
-    const text = typeof body === 'string' ? body : JSON.stringify(body)
-    const answer = await this.threads.ask({ path, body: text, signal, progress })
+  async ask<Answer>(path: string, body: string | object, searching: Searching = {}): Promise<Answer> {
+    const { signal, finish, progress } = searching
+    const answer = await this.threads.ask({
+      path,
+      body: typeof body === 'string' ? body : JSON.stringify(body),
+      signal,
+      finish,
+      progress: (now) => progress?.(now.closures, now.closures_planned, now),
+    })
     const said = JSON.parse(new TextDecoder().decode(answer.body))
     if (answer.status >= 400) throw new CoaptError(answer.status, said.problems ?? [{ path: '', message: said.detail }])
     return said as Answer

@@ -19,13 +19,22 @@ addEventListener('activate', (event) => {
   event.waitUntil(removeOld())
 })
 
+/// On a page that nothing from elsewhere is in, threads may share memory: a search is made by all cores from the second visit on.
+function isolated(response) {
+  if (response.status === 0) return response
+  const headers = new Headers(response.headers)
+  headers.set('Cross-Origin-Opener-Policy', 'same-origin')
+  headers.set('Cross-Origin-Embedder-Policy', 'require-corp')
+  return new Response(response.body, { status: response.status, statusText: response.statusText, headers })
+}
+
 addEventListener('fetch', (event) => {
   const { request } = event
   if (request.method !== 'GET') return
   const answer = async () => {
     const cache = await caches.open(CACHE)
     const kept = await cache.match(request.mode === 'navigate' ? './' : request, { ignoreSearch: true })
-    return kept ?? fetch(request)
+    return isolated(kept ?? (await fetch(request)))
   }
   event.respondWith(answer())
 })

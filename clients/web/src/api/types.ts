@@ -56,6 +56,7 @@ export type Farm = Omit<Schemas['Farm'], 'notice'>
 export type Job = Schemas['Job']
 export type JobState = Schemas['JobState']
 export type JobProgress = Schemas['Progress']
+export type SearchProgress = Omit<JobProgress, 'seconds'>
 export type JobFile = Schemas['Files']['files'][number]
 export type StudyResult = Schemas['StudyResult']
 export type Finding = StudyResult['findings'][number]

@@ -1,9 +1,7 @@
-// Searches in place of coapt-server's jobs, for the page without one: each by a thread of its own, kept as long as the page is open.
+// Searches in place of coapt-server's jobs, for the page without one, kept as long as the page is open.
 import type { Job, JobProgress } from '../api/types'
-import { diedWords, type EngineThread } from './thread'
-import type { EngineReply, EngineRequest } from './worker'
-
-type Thread = EngineThread<EngineRequest, EngineReply> & { terminate(): void }
+import type { EngineAnswer } from './module'
+import type { Ask } from './threads'
 
 export interface LocalJobs {
   /// Searches for plans of a valve, given as its `reference` and a whole request as text. What is refused is answered at once.
@@ -16,55 +14,59 @@ interface Search {
   job: Job
   events: string[] // as a stream of server-sent events has them
   result: string // JSON; '' before the end
-  thread: Thread
+  stop: AbortController // drops it
+  finish: AbortController // ends it with what it has
   waiting: (() => void)[] // for the next event
 }
 
 const PLANS = /^\/plans\/([1-9][0-9]*)$/
 
-export function localJobs(startThread: () => Thread, now_ms: () => number = Date.now): LocalJobs {
+export function localJobs(ask: Ask, now_ms: () => number = Date.now): LocalJobs {
   const searches = new Map<string, Search>()
   let count = 0
 
-  function start(reference: string, request: string): Promise<Response> {
+  function start(reference: string, body: string): Promise<Response> {
     if ([...searches.values()].some(({ job }) => job.finished === null))
       return Promise.resolve(refusal(409, 'a search is already running in this page; wait for it, or cancel it'))
     const search: Search = {
       job: newJob(`here-${++count}`, reference, time(now_ms())),
       events: [],
       result: '',
-      thread: startThread(),
+      stop: new AbortController(),
+      finish: new AbortController(),
       waiting: [],
     }
     const begun_ms = now_ms()
     return new Promise((resolve) => {
       /// The first sign of life: a request that is refused has none but its answer.
       const begin = () => {
-        if (searches.has(search.job.id)) return
+        if (searches.has(search.job.id) || search.stop.signal.aborted) return
         searches.set(search.job.id, search)
         resolve(json(202, search.job))
       }
-      search.thread.onmessage = ({ data }) => {
-        if ('progress' in data) {
+      ask({
+        path: '/v1/plans',
+        body,
+        signal: search.stop.signal,
+        finish: search.finish.signal,
+        progress(now) {
           begin()
-          tell(search, 'progress', progressOf(data.progress, (now_ms() - begun_ms) / 1e3))
-          return
-        }
-        const text = 'failed' in data ? '' : new TextDecoder().decode(data.body)
-        if (!searches.has(search.job.id) && 'status' in data && data.status >= 400) {
-          search.thread.terminate()
-          return resolve(new Response(text, { status: data.status, headers: JSON_TYPE }))
-        }
-        begin()
-        if ('failed' in data) fail(search, data.failed)
-        else if (data.status >= 400) fail(search, (JSON.parse(text) as { detail?: string }).detail ?? '')
-        else succeed(search, text)
-      }
-      search.thread.onerror = (event) => {
-        begin()
-        fail(search, diedWords(event))
-      }
-      search.thread.postMessage({ path: '/v1/plans', body: request })
+          tell(search, 'progress', { ...now, seconds: (now_ms() - begun_ms) / 1e3 })
+        },
+      }).then(
+        (answered) => {
+          const text = new TextDecoder().decode(answered.body)
+          if (!searches.has(search.job.id) && answered.status >= 400)
+            return resolve(new Response(text, { status: answered.status, headers: JSON_TYPE }))
+          begin()
+          settle(search, answered, text)
+        },
+        (error: Error) => {
+          begin()
+          if (search.finish.signal.aborted) end(search, 'CANCELLED', {})
+          else fail(search, error.message)
+        },
+      )
     })
   }
 
@@ -76,14 +78,19 @@ export function localJobs(startThread: () => Thread, now_ms: () => number = Date
 
   function end(search: Search, state: Job['state'], more: Partial<Job>): void {
     if (search.job.finished !== null) return
-    search.thread.terminate()
     search.job = { ...search.job, state, finished: time(now_ms()), ...more }
     tell(search, 'state', { state })
   }
 
-  function succeed(search: Search, result: string): void {
-    search.result = result
-    end(search, 'SUCCEEDED', { links: { ...search.job.links, result: `${search.job.links.self}/result` } })
+  function settle(search: Search, { status }: EngineAnswer, text: string): void {
+    const said = JSON.parse(text) as { detail?: string; stop?: string }
+    if (status >= 400) {
+      fail(search, said.detail ?? '')
+      return
+    }
+    search.result = text
+    const links = { ...search.job.links, result: `${search.job.links.self}/result` }
+    end(search, said.stop === 'cancelled' ? 'CANCELLED' : 'SUCCEEDED', { links })
   }
 
   function fail(search: Search, message: string): void {
@@ -121,11 +128,13 @@ export function localJobs(startThread: () => Thread, now_ms: () => number = Date
       case 'GET ':
         return json(200, search.job)
       case 'DELETE ':
+        search.stop.abort()
         end(search, 'CANCELLED', {})
         searches.delete(id)
         return new Response(null, { status: 204 })
       case 'POST :cancel':
-        end(search, 'CANCELLED', { cancel_requested: true })
+        search.job = { ...search.job, cancel_requested: true }
+        search.finish.abort()
         return json(200, search.job)
       case 'GET /events':
         return stream(search, Number(new URLSearchParams(query).get('last_event_id') ?? 0))
@@ -156,18 +165,6 @@ function time(ms: number): string {
   return new Date(ms).toISOString()
 }
 
-function progressOf([closures, closures_planned]: [number, number], seconds: number): JobProgress {
-  return {
-    stage: 'searching',
-    closures,
-    closures_planned,
-    best_leak_mm2: null,
-    best_cost: null,
-    random_cost: null,
-    seconds,
-  }
-}
-
 function newJob(id: string, valve: string, created: string): Job {
   const self = `/v1/jobs/${id}`
   return {
@@ -181,7 +178,15 @@ function newJob(id: string, valve: string, created: string): Job {
     cancel_requested: false,
     waiting_for: null,
     queue_position: null,
-    progress: progressOf([0, 0], 0),
+    progress: {
+      stage: 'searching',
+      closures: 0,
+      closures_planned: 0,
+      best_leak_mm2: null,
+      best_cost: null,
+      random_cost: null,
+      seconds: 0,
+    },
     problems: [],
     links: { self, events: `${self}/events`, cancel: `${self}:cancel` },
   }

@@ -1,13 +1,13 @@
 // Answers in place of coapt-server, for the page without one (make static): closures, scenes, openings, diagnoses, evaluations and searches
 // from the engine, presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
 import { presetWords } from '../valve/presets'
-import type { AskEngine } from './client'
 import type { KeptValve, ValveShelf } from './kept_valves'
 import type { LocalJobs } from './local_jobs'
+import type { Ask } from './threads'
 
 export interface LocalParts {
-  engine: AskEngine
-  scoring: AskEngine // the module that searches, too
+  engine: Ask
+  scoring: Ask // the module that searches, too
   jobs: LocalJobs
   file(path: string): Promise<Response> // of the page, beside index.html
   valves: ValveShelf
@@ -53,7 +53,7 @@ export function localService({ engine, scoring, jobs, file, valves }: LocalParts
   }
 
   async function ask(path: string, body: string, signal?: AbortSignal): Promise<Response> {
-    const answered = await (path === SCORED ? scoring : engine)(path, body, signal)
+    const answered = await (path === SCORED ? scoring : engine)({ path, body, signal })
     return new Response(answered.body, { status: answered.status, headers: { 'Content-Type': 'application/json' } })
   }
 

@@ -1,4 +1,5 @@
 // The engine: a WebAssembly module that answers requests as the service does, and moves a valve (clients/engine).
+import { Member, type TeamPlace } from './team'
 import { wasi } from './wasi'
 
 export interface EngineAnswer {
@@ -8,7 +9,8 @@ export interface EngineAnswer {
 
 /// Each call may throw WebAssembly.RuntimeError if the engine aborts; it is of no use then.
 export interface Engine {
-  answer(path: string, body: string): EngineAnswer // takes 30 ms to some seconds
+  /// Takes 30 ms to some seconds; a search, which may be that of a team, minutes.
+  answer(path: string, body: string, place?: TeamPlace): EngineAnswer
   closed(): Uint8Array<ArrayBuffer> // of the valve closed last: x, y, z of each vertex, doubles, mm
   live: LiveEngine
 }
@@ -54,20 +56,34 @@ interface Exports {
 }
 
 const POINT_BYTES = 24
+const KEY_WORDS = 4
 
-/// `progress`: is told of searches, while they run, how many closures of how many are done.
+/// `progress`: is told of searches, while they run, how far they are: JSON, UTF-8.
 export async function startEngine(
   module: WebAssembly.Module,
-  progress: (done: number, planned: number) => void = () => {},
+  progress: (now: Uint8Array<ArrayBuffer>) => void = () => {},
 ): Promise<Engine> {
   let memory: WebAssembly.Memory | null = null
+  let member: Member | null = null
   const imports = wasi(
     () => memory as WebAssembly.Memory,
     (text) => console.warn(text),
+    (clock_ns) => member?.now(clock_ns) ?? clock_ns,
   )
   const { exports } = await WebAssembly.instantiate(module, {
     wasi_snapshot_preview1: imports,
-    coapt: { progress },
+    coapt: {
+      progress: (at: number, size: number) => progress(copied(at, size)),
+      ended: () => Number(member?.ended() ?? false),
+      workers: () => member?.workers ?? 1,
+      loop_begin: (count: number) => Number(member?.begin(count) ?? false),
+      loop_take: () => (member as Member).take(),
+      loop_end: () => (member as Member).finish(),
+      find: (key: number) => (member as Member).find(keyAt(key)),
+      take_found: (into: number) => bytesAt(into).set((member as Member).takeFound()),
+      keep: (key: number, at: number, size: number) =>
+        (member as Member).keep(keyAt(key), new Uint8Array(engine.memory.buffer, at, size)),
+    },
   })
   const engine = exports as unknown as Exports
   memory = engine.memory
@@ -86,8 +102,11 @@ export async function startEngine(
     const at = engine.coapt_answer_bytes()
     return { status, body: copied(at, engine.coapt_answer_size()) }
   }
+  const bytesAt = (at: number) => new Uint8Array(engine.memory.buffer, at)
+  const keyAt = (at: number) => new Int32Array(engine.memory.buffer, at, KEY_WORDS)
   return {
-    answer(path, body) {
+    answer(path, body, place) {
+      member = place ? new Member(place) : null
       put(path, engine.coapt_path)
       put(body, engine.coapt_body)
       return answered(engine.coapt_answer())

@@ -1,20 +1,18 @@
 // The one local service of the page that is open, with its engine, and the one that searches, which is loaded when it is asked.
-import { type AskEngine, engineClient } from './client'
 import { browserValves } from './kept_valves'
 import { localJobs } from './local_jobs'
 import { localService } from './local_service'
-import { PLANNER_FILE, startThread } from './thread'
+import { PLANNER_FILE, startThreads } from './thread'
 
-const planner = () => startThread(PLANNER_FILE)
-let scoring: AskEngine | null = null
+const MOST_THREADS = 8 // of a search: each takes some 50 MB
+
+const engine = startThreads()
+const planner = startThreads(Math.min(navigator.hardwareConcurrency || 1, MOST_THREADS), PLANNER_FILE)
 
 export const pageService = localService({
-  engine: engineClient(startThread()),
-  scoring(...asked) {
-    scoring ??= engineClient(planner())
-    return scoring(...asked)
-  },
-  jobs: localJobs(planner),
+  engine: (asked) => engine.ask(asked),
+  scoring: (asked) => planner.ask(asked),
+  jobs: localJobs((asked) => planner.ask(asked)),
   file: (path) => fetch(path),
   valves: browserValves(),
 })

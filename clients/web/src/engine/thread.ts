@@ -1,4 +1,5 @@
-// A thread of the engine (worker.ts): how it is started, and what it says, for a person.
+// Threads of the engine (worker.ts) in the page: how they are started, and what they say, for a person.
+import { Threads, threadOf } from './threads'
 
 /// Of a Worker, what is used of it.
 export interface EngineThread<Message, Reply> {
@@ -22,15 +23,41 @@ export function hasEngine(): Promise<boolean> {
 /// The module that searches, too.
 export const PLANNER_FILE = 'coapt-planner.wasm'
 
-export function startThread(file = FILE): Worker {
-  const thread = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
-  thread.postMessage(new URL(file, document.baseURI).href)
+const modules = new Map<string, Promise<WebAssembly.Module>>()
+
+/// Of a file beside the page; one that could not be loaded is asked for again.
+function moduleOf(file: string): Promise<WebAssembly.Module> {
+  const loaded = modules.get(file) ?? loadModule(new URL(file, document.baseURI).href)
+  modules.set(file, loaded)
+  loaded.catch(() => modules.delete(file))
+  return loaded
+}
+
+async function loadModule(address: string): Promise<WebAssembly.Module> {
+  const response = await fetch(address)
+  if (!response.ok) throw new Error(`${address} cannot be loaded (${response.status})`)
+  return WebAssembly.compile(await response.arrayBuffer()) // streaming would need a server that knows the file's type
+}
+
+const startWorker = () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' })
+
+/// For a valve that moves.
+export function startThread(): Worker {
+  const thread = startWorker()
+  moduleOf(FILE).then(
+    (module) => thread.postMessage({ module }),
+    (error: Error) => thread.postMessage({ missing: error.message }),
+  )
   return thread
 }
 
-/// Of a thread that has died.
-export function diedWords({ message }: ErrorEvent): string {
-  return message || 'The engine cannot be started; reload the page.'
+/// For requests: so many at a time.
+export function startThreads(most = 1, file = FILE): Threads {
+  return new Threads(
+    () => moduleOf(file),
+    most,
+    async () => threadOf(startWorker()),
+  )
 }
 
 export function engineWords(message: string): string {

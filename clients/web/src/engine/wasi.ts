@@ -5,11 +5,16 @@ const NO_FILE = 8 // errno badf
 const NOT_SEEKABLE = 70 // errno spipe
 
 /// `memory` is asked for at each call, because it may have grown. `print` takes what is written to any file descriptor.
-export function wasi(memory: () => WebAssembly.Memory, print: (text: string) => void): WebAssembly.ModuleImports {
+export function wasi(
+  memory: () => WebAssembly.Memory,
+  print: (text: string) => void,
+  now_ns = (clock_ns: bigint) => clock_ns,
+): WebAssembly.ModuleImports {
   const decoder = new TextDecoder()
   return {
     clock_time_get(_clock: number, _precision: bigint, time_ns: number): number {
-      new DataView(memory().buffer).setBigUint64(time_ns, BigInt(Math.round(performance.now() * 1e6)), true)
+      const clock_ms = performance.timeOrigin + performance.now() // of all threads
+      new DataView(memory().buffer).setBigUint64(time_ns, now_ns(BigInt(Math.round(clock_ms * 1e6))), true)
       return DONE
     },
     /// `pieces`: `count` pairs of address and size.

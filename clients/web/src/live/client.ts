@@ -3,7 +3,8 @@
 import { refusal } from '../api/http'
 import type { Plan, ValveShape } from '../api/types'
 import type { LiveCommand, LiveReply } from '../engine/live_loop'
-import { diedWords, type EngineThread, engineWords, requireSimd, startThread } from '../engine/thread'
+import { type EngineThread, engineWords, requireSimd, startThread } from '../engine/thread'
+import { diedWords } from '../engine/threads'
 
 /// Of a valve that is started: what does not move.
 export interface LiveValve {

@@ -1,16 +1,16 @@
 // The trainer's own thread of the engine: cases, the order of an exam, scores. A case takes some seconds: the next one is made
 // while a learner is busy with the one before.
 import { refusal } from '../api/http'
-import { type AskEngine, engineClient } from '../engine/client'
-import { engineWords, requireSimd, startThread } from '../engine/thread'
+import { engineWords, requireSimd, startThreads } from '../engine/thread'
+import type { Threads } from '../engine/threads'
 import { valveText } from '../state/valves'
 import type { Case, CaseA, CaseB, Exam, LaidExam, Schedule, Scores } from './types'
 
 const decoder = new TextDecoder()
 
 export class TrainEngine {
-  private thread: Worker | null = null
-  private ask: AskEngine | null = null
+  private threads: Threads | null = null
+  private dropped = new AbortController()
   private readonly making = new Set<string>() // of the cases
   private readonly cases = new Map<string, Promise<Case>>()
 
@@ -22,8 +22,9 @@ export class TrainEngine {
     const key = `${exam} ${seed} ${valve}`
     const known = this.cases.get(key)
     if (known) return known
+    const { signal } = this.dropped
     const made = valveText(valve).then((text) =>
-      this.answer<Case>('/v1/training/cases', `{"valve":${text},"exam":"${exam}","seed":${seed}}`),
+      this.answer<Case>('/v1/training/cases', `{"valve":${text},"exam":"${exam}","seed":${seed}}`, signal),
     )
     this.cases.set(key, made)
     this.making.add(key)
@@ -31,11 +32,11 @@ export class TrainEngine {
     return made
   }
 
-  /// Cases that are being made are given up, with the thread that makes them: it cannot be interrupted.
+  /// Cases that are being made are given up: nobody hears of them.
   drop(): void {
     if (this.making.size === 0) return
-    this.thread?.terminate()
-    this.thread = this.ask = null
+    this.dropped.abort()
+    this.dropped = new AbortController()
     for (const key of this.making) this.cases.delete(key)
     this.making.clear()
   }
@@ -48,15 +49,11 @@ export class TrainEngine {
     return this.answer('/v1/training/scores', JSON.stringify({ trials_csv }))
   }
 
-  private begin(): AskEngine {
-    this.thread = startThread()
-    this.ask = engineClient(this.thread)
-    return this.ask
-  }
-
-  private async answer<T>(path: string, body: string): Promise<T> {
+  private async answer<T>(path: string, body: string, signal?: AbortSignal): Promise<T> {
     requireSimd()
-    const answered = await (this.ask ?? this.begin())(path, body).catch((error: unknown) => {
+    this.threads ??= startThreads()
+    const answered = await this.threads.ask({ path, body, signal }).catch((error: unknown) => {
+      if (signal?.aborted) return new Promise<never>(() => {})
       throw new Error(engineWords(error instanceof Error ? error.message : String(error)))
     })
     const said: unknown = JSON.parse(decoder.decode(answered.body))

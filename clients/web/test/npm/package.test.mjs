@@ -61,14 +61,54 @@ test('a search tells how far it is and finds the plans of coapt plan', { timeout
   const file = join(folder, 'small.json')
   writeFileSync(file, JSON.stringify(small.document))
   const told = []
-  const found = await small.plan(SEARCH, { progress: (...so_far) => told.push(so_far) })
+  const leading = []
+  const progress = (done, planned, { best }) => {
+    told.push([done, planned])
+    if (best) leading.push(best)
+  }
+  const found = await small.plan(SEARCH, { progress })
   const options = ['--evaluations', '30', '--region-points', '5', '--plans', '2', '--fine-levels', '0']
   const expected = native('plan', file, ...options, '--model-draws', '0', '--no-evidence')
   assert.deepEqual(planOf(found), planOf(expected))
   assert.ok(told.length > 2, `${told}`)
   assert.ok(told.every(([done, planned]) => done <= planned))
+  assert.ok(leading.at(-1).description.length > 0)
   const scored = await small.evaluate([RING], { region_points: 5 })
   assert.equal(scored.plans.length, 1)
+})
+
+test('a search has the same bits with any number of threads, also if one leaves it', {
+  timeout: PATIENCE_MS,
+}, async () => {
+  const found = []
+  for (const threads of [1, 2, 3]) {
+    const other = await api.load({ threads })
+    const valve = await other.valve(small.document)
+    let closed = threads === 2 && null // is asked for once the search has begun
+    const progress = (done) => {
+      if (closed === null && done > 10) closed = valve.close()
+    }
+    const { seconds, ...plans } = await valve.plan(SEARCH, { progress })
+    assert.ok(seconds > 0)
+    if (closed) assert.equal((await closed).status, 'converged')
+    found.push(plans)
+    other.close()
+  }
+  assert.deepEqual(found[1], found[0])
+  assert.deepEqual(found[2], found[0])
+})
+
+test('a search that is to finish has its best plans so far', { timeout: PATIENCE_MS }, async () => {
+  const stop = new AbortController()
+  const progress = (done) => done > 30 && stop.abort()
+  const {
+    stop: why,
+    plans,
+    closures,
+  } = await small.plan({ ...SEARCH, evaluations: 100_000 }, { finish: stop.signal, progress })
+  assert.equal(why, 'cancelled')
+  assert.ok(plans.length > 0)
+  assert.ok(closures < 1000, `${closures}`)
 })
 
 test('a search that is aborted ends, and others go on', { timeout: PATIENCE_MS }, async () => {

@@ -185,6 +185,22 @@ test('without any server it is loaded and closes valves all the same', async () 
   await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
 })
 
+test('from the second visit on threads search together, and a search that is cancelled keeps its best plans', async () => {
+  assert.ok(await page.evaluate(() => globalThis.crossOriginIsolated))
+  await page.getByRole('link', { name: 'Valve' }).click()
+  await page.getByLabel('Your file').setInputFiles(join(folder, 'small.json'))
+  await opened('small.json')
+  await page.getByRole('link', { name: 'Search' }).click()
+  await startSearch('100000')
+  await page.locator('[data-part=leading] dd').first().waitFor({ timeout: PATIENCE_MS })
+  const threads = page.workers().length
+  const cores = await page.evaluate(() => navigator.hardwareConcurrency)
+  assert.ok(threads > Math.min(cores, 8), `${threads} threads on ${cores} cores`) // beside that of closures
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await page.getByText('these are the best plans so far').waitFor({ timeout: PATIENCE_MS })
+  assert.ok((await page.locator('[data-part=plan]').count()) > 0)
+})
+
 test('it can be loaded over a slow line', () => {
   const built = join(ROOT, 'build/static')
   const compressed = (name) => gzipSync(readFileSync(join(built, name))).length

@@ -1,16 +1,16 @@
 import { expect, test, vi } from 'vitest'
 import { EventReader } from '../../src/api/events'
-import { engineClient } from '../../src/engine/client'
 import type { KeptValve, ValveShelf } from '../../src/engine/kept_valves'
 import { localJobs } from '../../src/engine/local_jobs'
 import { localService } from '../../src/engine/local_service'
-import type { EngineThread } from '../../src/engine/thread'
+import type { EngineReply, EngineRequest } from '../../src/engine/messages'
+import type { EngineAnswer } from '../../src/engine/module'
+import { Member, Team } from '../../src/engine/team'
+import { type Asked, type Thread, Threads } from '../../src/engine/threads'
 import { wasi } from '../../src/engine/wasi'
-import type { EngineReply, EngineRequest } from '../../src/engine/worker'
 import { presetWords } from '../../src/valve/presets'
 
 const bytes = (text: string) => new TextEncoder().encode(text) as Uint8Array<ArrayBuffer>
-type Thread = EngineThread<EngineRequest, EngineReply>
 const VALVE = '{"name": "mine", "vertices_mm": [[0, 0, -0.0]], "faces": []}'
 
 function shelf(): ValveShelf {
@@ -27,18 +27,19 @@ function shelf(): ValveShelf {
 function service() {
   const asked: EngineRequest[] = []
   const scored: EngineRequest[] = []
-  const threads: StartedThread[] = []
+  const searches: Asked[] = []
+  const search = { answer: (_: EngineAnswer) => {}, fail: (_: Error) => {} } // of the last
   const files: Record<string, string> = { 'presets/index.json': '["barlow"]', 'presets/barlow.json': VALVE }
   const ask = localService({
-    scoring: (path, body) => {
+    scoring: ({ path, body }) => {
       scored.push({ path, body })
       return Promise.resolve({ status: 200, body: bytes('{}') })
     },
-    jobs: localJobs(() => {
-      threads.push(startedThread())
-      return threads.at(-1) as StartedThread
+    jobs: localJobs((asked) => {
+      searches.push(asked)
+      return new Promise((resolve, reject) => Object.assign(search, { answer: resolve, fail: reject }))
     }),
-    engine: (path, body) => {
+    engine: ({ path, body }) => {
       asked.push({ path, body })
       const problems = body.includes('name') ? [] : [{ code: 'missing', path: '/name', message: 'is missing' }]
       const judged = JSON.stringify({ valid: problems.length === 0, problems })
@@ -47,24 +48,29 @@ function service() {
     file: (path) => Promise.resolve(new Response(files[path] ?? '', { status: path in files ? 200 : 404 })),
     valves: shelf(),
   })
-  return { ask, asked, scored, threads, files }
+  return { ask, asked, scored, searches, search, files }
 }
 
-type StartedThread = ReturnType<typeof startedThread>
-function startedThread() {
-  const thread = {
-    sent: [] as EngineRequest[],
-    ended: false,
-    onmessage: null as ((event: MessageEvent<EngineReply>) => void) | null,
-    onerror: null as ((event: ErrorEvent) => void) | null,
-    postMessage: (message: EngineRequest) => void thread.sent.push(message),
-    terminate: () => {
-      thread.ended = true
-    },
-    say: (reply: EngineReply) => thread.onmessage?.({ data: reply } as MessageEvent<EngineReply>),
+/// Threads that are told nothing but what a test says.
+function startedThreads(most: number) {
+  const started: { sent: EngineRequest[]; ended: boolean; say(reply: EngineReply): void; die(why: Error): void }[] = []
+  const start = async (): Promise<Thread> => {
+    const one = { sent: [] as EngineRequest[], ended: false, say: (_: EngineReply) => {}, die: (_: Error) => {} }
+    started.push(one)
+    return {
+      postMessage: (message) => 'path' in message && one.sent.push(message),
+      terminate() {
+        one.ended = true
+      },
+      listen: (heard, died) => Object.assign(one, { say: heard, die: died }),
+      hold() {},
+    }
   }
-  return thread
+  const module = new WebAssembly.Module(Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0]))
+  return { started, threads: new Threads(async () => module, most, start) }
 }
+const answered = (text: string): EngineReply => ({ status: 200, body: bytes(text) })
+const NOW = { stage: 'searching', best_leak_mm2: null, best_cost: null, random_cost: null } as const
 
 test('what a module writes is printed, and counted', () => {
   const memory = new WebAssembly.Memory({ initial: 1 })
@@ -82,41 +88,95 @@ test('what a module writes is printed, and counted', () => {
   expect(view.getUint32(300, true)).toBe(5)
 })
 
-test('the engine is asked one request after the other; what is aborted while it waits, not at all', async () => {
-  const sent: unknown[] = []
-  const thread: Thread = { postMessage: (message) => sent.push(message), onmessage: null, onerror: null }
-  const reply = (text: string) => thread.onmessage?.({ data: { status: 200, body: bytes(text) } } as MessageEvent)
-  const ask = engineClient(thread)
+test('a thread is asked one request after the other; what is aborted while it waits, not at all', async () => {
+  const { started, threads } = startedThreads(1)
   const given_up = new AbortController()
-  const first = ask('/1', '')
-  const second = ask('/2', '', given_up.signal)
-  const third = ask('/3', '')
-  expect(sent).toEqual([{ path: '/1', body: '' }])
+  const first = threads.ask({ path: '/1', body: '' })
+  const second = threads.ask({ path: '/2', body: '', signal: given_up.signal })
+  const third = threads.ask({ path: '/3', body: '' })
+  await vi.waitFor(() => expect(started[0]?.sent).toEqual([{ path: '/1', body: '' }]))
   given_up.abort()
   await expect(second).rejects.toThrow(/abort/i)
-  reply('one')
-  expect(sent.slice(1)).toEqual([{ path: '/3', body: '' }])
-  reply('three')
+  started[0]?.say(answered('one'))
+  await vi.waitFor(() => expect(started[0]?.sent.slice(1)).toEqual([{ path: '/3', body: '' }]))
+  started[0]?.say(answered('three'))
   expect(new TextDecoder().decode((await first).body)).toBe('one')
   expect(new TextDecoder().decode((await third).body)).toBe('three')
+  expect(started.length).toBe(1)
 })
 
-test('an engine that aborts fails its request alone', async () => {
-  const thread: Thread = { postMessage: () => {}, onmessage: null, onerror: null }
-  const ask = engineClient(thread)
-  const [first, second] = [ask('/1', ''), ask('/2', '')]
-  thread.onmessage?.({ data: { failed: 'unreachable' } } as MessageEvent)
-  thread.onmessage?.({ data: { status: 200, body: bytes('') } } as MessageEvent)
-  await expect(first).rejects.toThrow('unreachable')
+test('a thread that goes on with what is aborted is ended', async () => {
+  const { started, threads } = startedThreads(1)
+  const stop = new AbortController()
+  const first = threads.ask({ path: '/1', body: '', signal: stop.signal })
+  const second = threads.ask({ path: '/2', body: '' })
+  await vi.waitFor(() => expect(started[0]?.sent.length).toBe(1))
+  stop.abort()
+  await expect(first).rejects.toThrow(/abort/i)
+  await vi.waitFor(() => expect(started[1]?.sent).toEqual([{ path: '/2', body: '' }]))
+  expect(started[0]?.ended).toBe(true)
+  started[1]?.say(answered(''))
   expect((await second).status).toBe(200)
 })
 
-test('a thread that has died fails what waits for it, and what comes later', async () => {
-  const thread: Thread = { postMessage: () => {}, onmessage: null, onerror: null }
-  const ask = engineClient(thread)
-  const asked = [ask('/1', ''), ask('/2', '')]
-  thread.onerror?.({ message: 'no such script' } as ErrorEvent)
-  for (const answer of [...asked, ask('/3', '')]) await expect(answer).rejects.toThrow('no such script')
+test('an engine that aborts fails its request alone, a thread that dies, too', async () => {
+  const { started, threads } = startedThreads(1)
+  const asked = [1, 2, 3].map((number) => threads.ask({ path: `/${number}`, body: '' }))
+  await vi.waitFor(() => expect(started[0]?.sent.length).toBe(1))
+  started[0]?.say({ failed: 'unreachable' })
+  await expect(asked[0]).rejects.toThrow('unreachable')
+  await vi.waitFor(() => expect(started[0]?.sent.length).toBe(2))
+  started[0]?.die(new Error('no such script'))
+  await expect(asked[1]).rejects.toThrow('no such script')
+  await vi.waitFor(() => expect(started[1]?.sent.length).toBe(1))
+  started[1]?.say(answered(''))
+  expect((await asked[2])?.status).toBe(200)
+})
+
+test('a search takes the idle threads, which leave it when something else waits', async () => {
+  const { started, threads } = startedThreads(2)
+  const finish = new AbortController()
+  const search = threads.ask({ path: '/v1/plans', body: '{}', finish: finish.signal })
+  await vi.waitFor(() => expect(started.map(({ sent }) => sent.length)).toEqual([1, 1]))
+  const [first, second] = started.map(({ sent }) => new Member(sent[0]?.place as NonNullable<EngineRequest['place']>))
+  expect([first?.workers, second?.workers]).toEqual([2, 2])
+  const other = threads.ask({ path: '/other', body: '' })
+  expect([first?.ended(), second?.ended()]).toEqual([false, true])
+  started[1]?.say(answered('of no use'))
+  await vi.waitFor(() => expect(started[1]?.sent[1]?.path).toBe('/other'))
+  finish.abort()
+  expect(first?.ended()).toBe(true)
+  started[0]?.say(answered('plans'))
+  started[1]?.say(answered(''))
+  expect(new TextDecoder().decode((await search).body)).toBe('plans')
+  expect((await other).status).toBe(200)
+})
+
+test('workers share calls of loops, what they give, and the time', () => {
+  const team = new Team(2)
+  const [one, other] = [0, 1].map((number) => new Member(team.place(number))) as [Member, Member]
+  expect([one.begin(3), other.begin(3)]).toEqual([true, true])
+  expect(one.begin(5)).toBe(false) // within the first
+  expect([one.take(), other.take(), one.take()]).toEqual([0, 1, 2])
+  const key = Int32Array.of(1, 2, 3, 4)
+  expect(other.find(key)).toBe(-1)
+  one.keep(key, bytes('closed'))
+  expect(other.find(key)).toBe(6)
+  expect(other.takeFound()).toEqual(bytes('closed'))
+  expect(other.find(Int32Array.of(1, 2, 3, 5))).toBe(-1)
+  expect([one.now(5n), other.now(7n)]).toEqual([5n, 5n])
+  team.lose() // of a worker that has died nothing is waited for
+  expect(one.take()).toBe(-1)
+  expect(other.take()).toBe(-1)
+})
+
+test('what was kept long ago makes room', () => {
+  const [one] = [new Member(new Team(2).place(0))]
+  const large = new Uint8Array(8 << 20)
+  for (let i = 0; i < 9; ++i) one.keep(Int32Array.of(i, 0, 0, 0), large.fill(i))
+  expect(one.find(Int32Array.of(0, 0, 0, 0))).toBe(-1)
+  expect(one.find(Int32Array.of(4, 0, 0, 0))).toBe(large.length)
+  expect(one.takeFound()[0]).toBe(4)
 })
 
 test('a preset is listed, and closed as the text that it is', async () => {
@@ -198,13 +258,12 @@ test('plans are scored by the module that searches', async () => {
 })
 
 test('a search is a job that tells its progress and keeps its result', async () => {
-  const { ask, threads } = service()
+  const { ask, searches, search } = service()
   const started = ask('POST', '/v1/plans', { valve: 'barlow', search: { evaluations: 9 } })
   await Promise.resolve()
-  await vi.waitFor(() => expect(threads[0]?.sent.length).toBe(1))
-  const [thread] = threads as [StartedThread]
-  expect(thread.sent[0]).toEqual({ path: '/v1/plans', body: `{"valve":${VALVE},"search":{"evaluations":9}}` })
-  thread.say({ progress: [1, 9] })
+  await vi.waitFor(() => expect(searches.length).toBe(1))
+  expect(searches[0]).toMatchObject({ path: '/v1/plans', body: `{"valve":${VALVE},"search":{"evaluations":9}}` })
+  searches[0]?.progress?.({ ...NOW, closures: 1, closures_planned: 9 })
   const response = await started
   expect(response.status).toBe(202)
   const { id, valve, links } = await response.json()
@@ -215,9 +274,8 @@ test('a search is a job that tells its progress and keeps its result', async () 
   const first = await ask('GET', `${links.events}?last_event_id=0`)
   const events = (await ask('GET', `${links.events}?last_event_id=0`)).text()
   const same = first.text() // two may follow it
-  thread.say({ progress: [5, 9] })
-  thread.say({ status: 200, body: bytes('{"plans":[{"rank":1}]}') })
-  expect(thread.ended).toBe(true)
+  searches[0]?.progress?.({ ...NOW, closures: 5, closures_planned: 9 })
+  search.answer({ status: 200, body: bytes('{"plans":[{"rank":1}]}') })
   expect(await same).toBe(await events)
   const told = new EventReader().read(await events)
   expect(told.map(({ id, event }) => [id, event])).toEqual([
@@ -240,32 +298,39 @@ test('a search is a job that tells its progress and keeps its result', async () 
   expect((await ask('GET', links.self)).status).toBe(404)
 })
 
-test('a search that is refused is no job; one that is cancelled or fails ends', async () => {
-  const { ask, threads } = service()
-  const begun = async () => {
-    const count = threads.length
+test('a search that is refused is no job; one that is cancelled has what it found; one may fail', async () => {
+  const { ask, searches, search } = service()
+  const begun = async (closures: number) => {
+    const count = searches.length
     const answer = ask('POST', '/v1/plans', { valve: 'barlow' })
-    await vi.waitFor(() => expect(threads[count]?.sent.length).toBe(1))
-    return { answer, thread: threads[count] as StartedThread }
+    await vi.waitFor(() => expect(searches.length).toBe(count + 1))
+    if (closures > 0) searches[count]?.progress?.({ ...NOW, closures, closures_planned: 9 })
+    return answer
   }
-  const refused = await begun()
-  refused.thread.say({ status: 422, body: bytes('{"detail":"is no option"}') })
-  expect((await refused.answer).status).toBe(422)
-  expect(refused.thread.ended).toBe(true)
+  const refused = begun(0)
+  await vi.waitFor(() => expect(searches.length).toBe(1))
+  search.answer({ status: 422, body: bytes('{"detail":"is no option"}') })
+  expect((await refused).status).toBe(422)
 
-  const cancelled = await begun()
-  cancelled.thread.say({ progress: [1, 9] })
-  const { links } = await (await cancelled.answer).json()
+  const { links } = await (await begun(1)).json()
   const events = (await ask('GET', links.events)).text()
-  expect(await (await ask('POST', links.cancel)).json()).toMatchObject({ state: 'CANCELLED', cancel_requested: true })
-  expect(cancelled.thread.ended).toBe(true)
+  expect(await (await ask('POST', links.cancel)).json()).toMatchObject({ state: 'RUNNING', cancel_requested: true })
+  expect(searches[1]?.finish?.aborted).toBe(true)
+  search.answer({ status: 200, body: bytes('{"stop":"cancelled","plans":[{"rank":1}]}') })
   expect(await events).toContain('"state":"CANCELLED"')
+  const job = await (await ask('GET', links.self)).json()
+  expect(await (await ask('GET', job.links.result)).json()).toMatchObject({ plans: [{ rank: 1 }] })
 
-  const failed = await begun()
-  failed.thread.say({ failed: 'out of memory' })
-  const job = await (await failed.answer).json()
-  expect(await (await ask('GET', job.links.self)).json()).toMatchObject({
-    state: 'FAILED',
-    problems: [{ message: 'out of memory' }],
-  })
+  const dropped = await (await begun(1)).json()
+  expect((await ask('DELETE', dropped.links.self)).status).toBe(204)
+  expect(searches[2]?.signal?.aborted).toBe(true)
+
+  const failed = await (await begun(1)).json()
+  search.fail(new Error('out of memory'))
+  await vi.waitFor(async () =>
+    expect(await (await ask('GET', failed.links.self)).json()).toMatchObject({
+      state: 'FAILED',
+      problems: [{ message: 'out of memory' }],
+    }),
+  )
 })
