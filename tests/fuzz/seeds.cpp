@@ -139,7 +139,13 @@ void write_requests(const std::filesystem::path& folder) {
       {{"files", {import["leaflets"][0], import["annulus"]}}},
       {{"valve", kStoredValve}},
       {{"valve", kStoredValve}},
-      {{"cases", Json::array()}, {"answers", Json::array()}}};
+      {{"cases", Json::array()}, {"answers", Json::array()}},
+      {{"valve", kStoredValve}, {"draws", 1}},
+      {{"valve", valve}, {"forget", true}},
+      {{"closed", {{"valve", kStoredValve}}}, {"reference", {{"file", import["leaflets"][0]}}}},
+      {{"valve", kStoredValve}, {"formats", {"vtk", "slicerheart"}}},
+      {{"valve", kStoredValve}, {"surface", {{"file", import["leaflets"][0]}}}, {"rounds", 1}},
+      {{"valve", kStoredValve}, {"draws", 1}}};
   char choice = 'a';
   for (const Json& body : bodies) {
     write(folder / std::string(1, choice), choice + body.dump());
