@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,8 +34,10 @@ struct CompareArguments {
 };
 
 /// A mesh by the end of its name, a scene, or a valve, which is closed.
+/// @param here gets the valves that are closed here, by their arguments
 Expected<Json> shape_to_send(const std::string& argument, const ShapeFileOptions& options,
-                             const std::optional<Service>& service) {
+                             const std::optional<Service>& service,
+                             std::map<std::string, Valve>& here) {
   const std::string format = format_of(argument);
   std::error_code ignored;
   const bool exists = std::filesystem::exists(argument, ignored);
@@ -48,9 +51,13 @@ Expected<Json> shape_to_send(const std::string& argument, const ShapeFileOptions
                  "must end in one of " + shape_format_names() +
                      ", or be a valve or a scene (.json), or the name of a preset"};
   }
-  Expected<Json> given = is_surface ? file_to_send(argument)
-                         : service  ? valve_to_send(argument)
-                                    : Expected<Json>(Json(argument));
+  if (!is_surface && !service) {
+    Expected<Valve> valve = read_valve_argument(argument);
+    if (!valve) return valve.errors();
+    here.insert_or_assign(argument, *std::move(valve));
+    return Json{{"valve", argument}, {"source", argument}};
+  }
+  Expected<Json> given = is_surface ? file_to_send(argument) : valve_to_send(argument);
   if (!given) return given.errors();
   if (!is_surface) return Json{{"valve", *std::move(given)}, {"source", argument}};
   Json shape = {{"file", *std::move(given)}, {"source", argument}};
@@ -170,10 +177,11 @@ int run(const CompareArguments& arguments, const std::optional<Service>& service
     if (const int failed = check_output(output)) return failed;
   Json request = {{"align", arguments.alignment}, {"membrane", to_string(arguments.membrane)}};
   std::map<std::string, std::string> sources;
+  std::map<std::string, Valve> valves;
   for (const auto& [name, argument] :
        {std::pair<const char*, std::string>("closed", arguments.closed),
         {"reference", arguments.reference}}) {
-    const Expected<Json> shape = shape_to_send(argument, arguments.files, service);
+    const Expected<Json> shape = shape_to_send(argument, arguments.files, service, valves);
     if (!shape) return report_errors(argument, shape.errors());
     request[name] = *shape;
     for (const char* part : {"", "/file", "/valve"})
@@ -182,7 +190,8 @@ int run(const CompareArguments& arguments, const std::optional<Service>& service
   if (arguments.contact_mm) request["contact_mm"] = *arguments.contact_mm;
   const bool maps = !arguments.picture.empty() || !arguments.mesh.empty();
   if (maps) request["nodes"] = true;
-  Context here{.valve_named = read_valve_argument, .surface_of = read_surface_file};
+  Context here{.surface_of = read_surface_file};
+  here.valve_named = [&](const std::string& name) -> Expected<Valve> { return valves.at(name); };
   Expected<Json> found = ask_document(service, "compare", request, here);
   if (!found) return report_refusal("compare", found.errors(), sources);
   const Json nodes = found->value("nodes", Json());

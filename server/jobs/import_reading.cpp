@@ -102,7 +102,8 @@ Answer surface_answer(const Json& body) {
                                  {"displacement_array", into(options.displacement, read_string)}});
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Expected<LeafletMesh> surface = read_surface_file(file, options);
-  return surface ? json_answer(200, surface_document(*surface)) : problem(422, surface.errors());
+  if (!surface) return problem(422, surface.errors());
+  return {200, surface_document(*surface)};
 }
 
 /// What import_from() reads.
