@@ -12,9 +12,12 @@
 
 namespace coapt {
 
+struct LeafletMesh;
+struct NamedFile;
 struct SearchContext;
 struct SearchOptions;
 struct SearchResult;
+struct ShapeFileOptions;
 
 /// Of one request. Nothing is limited unless whoever asks says so.
 struct OperationLimits {
@@ -40,12 +43,16 @@ struct Context {
   OperationLimits limits{};
   /// A valve by the name that a request has in its place; empty: valves have no names here.
   std::function<Expected<Valve>(const std::string& name)> valve_named{};
+  /// The closed surface in a file (operations/surface_file.h, or a process apart that does the same); empty: no file is read here.
+  std::function<Expected<LeafletMesh>(const NamedFile&, const ShapeFileOptions&)> surface_of{};
   /// Whether nobody waits any more; empty: somebody does.
   std::function<bool()> abandoned{};
   /// Set: what goes on ends, and what there is by then is answered. May be null.
   const std::atomic<bool>* interrupted = nullptr;
   /// So many of so many are done; empty: nobody looks.
   std::function<void(int done, int planned)> progress{};
+  /// How far a fit is from its surface before `progress` says so: rms in mm. Empty: nobody looks.
+  std::function<void(double rms_mm)> distance{};
   /// What the answer is of, before it is given: for whoever draws it, too. Empty: nobody does.
   std::function<void(const ClosedValve&)> closed{};
   std::function<void(const OpenedValve&)> opened{};

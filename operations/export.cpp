@@ -1,21 +1,44 @@
-// Writes a closed valve, repaired if there is a plan, as a file that other programs open.
+// Writes a closed valve, repaired if there is a plan, as a file that other programs open, or as several: coapt.export/1.
 #include "operations/export.h"
 
 #include <algorithm>
 
+#include "core/closure/standing.h"
+#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/image/image_geometry.h"
+#include "io/json/version.h"
 #include "operations/repair_request.h"
 #include "operations/table.h"
 
 namespace coapt {
 namespace {
 
-const FileFormat* read_format(const JsonPlace& place) {
+constexpr const char* kFolder = "slicerheart";  // several files: exported_folder()
+
+std::vector<std::string> known_formats() {
   std::vector<std::string> names;
   for (const FileFormat& format : file_formats()) names.push_back(format.name);
-  const auto choice = read_choice(place, names);
+  return names;
+}
+
+const FileFormat* read_format(const JsonPlace& place) {
+  const auto choice = read_choice(place, known_formats());
   return choice ? &file_formats()[*choice] : nullptr;
+}
+
+/// Each once.
+std::vector<std::string> read_formats(const JsonPlace& place) {
+  std::vector<std::string> known = known_formats();
+  known.emplace_back(kFolder);
+  std::vector<std::string> formats;
+  read_array(place, [&](const JsonPlace& entry) {
+    const auto choice = read_choice(entry, known);
+    if (choice && std::find(formats.begin(), formats.end(), known[*choice]) == formats.end())
+      formats.push_back(known[*choice]);
+  });
+  if (formats.empty()) add_problem(place, ErrorCode::MissingField, "must name a format");
+  return formats;
 }
 
 ExportFrame read_frame(const JsonPlace& place) {
@@ -64,25 +87,101 @@ ImageGeometry read_grid(const JsonPlace& place) {
 
 struct ExportRequest {
   RepairRequest repair{};
-  const FileFormat* format = nullptr;
+  const FileFormat* format = nullptr;  ///< of the one file that is answered; else:
+  std::vector<std::string> formats{};  ///< of the files in the document that is answered
   ExportOptions options{};
 };
 
-Expected<OperationAnswer> write_export(const ExportRequest& asked, Context& context) {
+bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What a user should know of files in these formats, a sentence each.
+Json notes_on(const ClosedValve& exported, const ExportRequest& asked) {
+  Json notes = Json::array();
+  double shift_mm = 0.0;
+  for (const std::string& format : asked.formats) {
+    if (!is_one_of(format, {"vtk", "feb", kFolder})) continue;
+    const bool open = asked.options.open || format == "feb";
+    shift_mm = std::max(shift_mm,
+                        attachment_shift_mm(exported.valve, open ? unstressed_shape(exported.valve)
+                                                                 : closed_shape(exported)));
+  }
+  if (shift_mm >= 0.001)
+    notes.push_back("chordae end at the nearest vertices of the mesh in .vtk and .feb, at most " +
+                    with_decimals(shift_mm, 2) + " mm from their insertions");
+  for (const std::string& format : asked.formats)
+    if (!exported.valve.ties.empty() && format != kFolder && format_named(format)->loses_ties)
+      notes.push_back("." + format +
+                      " files do not store the edge-to-edge repair; a valve imported from one "
+                      "lacks it");
+  return notes;
+}
+
+/// The files of all formats, as one document.
+Expected<OperationAnswer> exported_files(const ClosedValve& exported, const ExportRequest& asked) {
+  Json files = Json::array();
+  const auto add = [&](const std::string& format, const NamedFile& file) {
+    Json entry = {{"format", format}};
+    entry.update(to_json(file));
+    files.push_back(std::move(entry));
+  };
+  for (const std::string& format : asked.formats) {
+    if (format == kFolder) {
+      const auto folder = write_slicerheart(exported, asked.options);
+      if (!folder) return folder.errors();
+      for (const NamedFile& file : *folder) add(format, file);
+      continue;
+    }
+    Expected<AnswerFile> file = exported_file(exported, *format_named(format), asked.options);
+    if (!file) return file.errors();
+    add(format, {file->name, std::move(file->bytes)});
+  }
+  Json answer = result_document("coapt.export/1", {{"closure", closure_name(exported.closure)},
+                                                   {"notes", notes_on(exported, asked)},
+                                                   {"files", std::move(files)}});
+  if (const std::string doubt = doubt_about(exported.closure); !doubt.empty())
+    answer["doubt"] = doubt;
+  return OperationAnswer(std::move(answer));
+}
+
+Expected<ClosedValve> closed_of(const ExportRequest& asked, Context& context) {
   const auto& [before, plan, repaired, material] = asked.repair;
-  const Expected<ClosedValve> closed = context.close(repaired, {.motion = true});
+  Expected<ClosedValve> closed = context.close(repaired, {.motion = true});
   if (!closed) return closed.errors();
-  Expected<AnswerFile> file =
-      exported_file(with_repair(*closed, before, plan), *asked.format, asked.options);
+  return with_repair(*std::move(closed), before, plan);
+}
+
+Expected<OperationAnswer> write_export(const ExportRequest& asked, Context& context) {
+  const Expected<ClosedValve> closed = closed_of(asked, context);
+  if (!closed) return closed.errors();
+  Expected<AnswerFile> file = exported_file(*closed, *asked.format, asked.options);
   if (!file) return file.errors();
   return OperationAnswer(*std::move(file));
 }
 
-}  // namespace
-
-std::string closure_name(const ClosureResult& closure) {
-  return closure.crossing ? "crossing" : to_string(closure.status);
+Expected<OperationAnswer> write_files(const ExportRequest& asked, Context& context) {
+  const Expected<ClosedValve> closed = closed_of(asked, context);
+  if (!closed) return closed.errors();
+  return exported_files(*closed, asked);
 }
+
+template <class Run>
+Expected<OperationTask> read_asked(const Json& request, const Context& context,
+                                   const std::shared_ptr<ExportRequest>& asked, JsonField formats,
+                                   Run run) {
+  if (Errors errors = read_repair(request, context,
+                                  {std::move(formats),
+                                   {"open", into(asked->options.open, read_boolean), false},
+                                   {"frame", into(asked->options.frame, read_frame), false},
+                                   {"grid", into(asked->options.grid, read_grid), false}},
+                                  asked->repair);
+      !errors.empty())
+    return errors;
+  return task_of(asked, 1, run);
+}
+
+}  // namespace
 
 Expected<AnswerFile> exported_file(const ClosedValve& exported, const FileFormat& format,
                                    const ExportOptions& options) {
@@ -94,15 +193,14 @@ Expected<AnswerFile> exported_file(const ClosedValve& exported, const FileFormat
 
 Expected<OperationTask> read_export(const Json& request, const Context& context) {
   const auto asked = std::make_shared<ExportRequest>();
-  if (Errors errors = read_repair(request, context,
-                                  {{"format", into(asked->format, read_format)},
-                                   {"open", into(asked->options.open, read_boolean), false},
-                                   {"frame", into(asked->options.frame, read_frame), false},
-                                   {"grid", into(asked->options.grid, read_grid), false}},
-                                  asked->repair);
-      !errors.empty())
-    return errors;
-  return task_of(asked, 1, write_export);
+  return read_asked(request, context, asked, {"format", into(asked->format, read_format)},
+                    write_export);
+}
+
+Expected<OperationTask> read_export_files(const Json& request, const Context& context) {
+  const auto asked = std::make_shared<ExportRequest>();
+  return read_asked(request, context, asked, {"formats", into(asked->formats, read_formats)},
+                    write_files);
 }
 
 }  // namespace coapt

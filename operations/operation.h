@@ -50,6 +50,8 @@ struct Operation {
   /// Errors: every problem of the request, with pointers into it. Null: a door of its own reads and runs it.
   Expected<OperationTask> (*read)(const Json& request, const Context& context) = nullptr;
   bool needs_store = false;  ///< of what outlives a request: jobs, closures
+  bool as_job =
+      false;  ///< a service runs `read`'s task as a job of this name; it answers a document
 };
 
 /// "command_line", "service", ...

@@ -1,6 +1,7 @@
 // Draws a closed valve, repaired if there is a plan, as `coapt close --render` does. Answers a PNG.
 #include "io/picture/picture.h"
 
+#include "core/closure/standing.h"
 #include "io/picture/opening_picture.h"
 #include "operations/export.h"
 #include "operations/repair_request.h"

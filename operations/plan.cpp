@@ -34,6 +34,7 @@ Expected<OperationAnswer> search(const PlanRequest& asked, Context& context) {
   const Expected<SearchResult> result = search_plans(asked.valve, options, within);
   if (!result) return result.errors();
   if (context.cancelled()) return context.refusal();
+  if (context.scored) context.scored(asked.valve, asked.options, *result);
   const SearchRequest reproduce{asked.options, subject_of(asked.valve, asked.options.closure), ""};
   return OperationAnswer(to_json(*result, reproduce));
 }

@@ -8,6 +8,7 @@ namespace coapt {
 Expected<OperationTask> read_close(const Json& request, const Context& context);
 Expected<OperationTask> read_scene(const Json& request, const Context& context);
 Expected<OperationTask> read_open(const Json& request, const Context& context);
+Expected<OperationTask> read_compare(const Json& request, const Context& context);
 Expected<OperationTask> read_diagnose(const Json& request, const Context& context);
 Expected<OperationTask> read_check(const Json& request, const Context& context);
 Expected<OperationTask> read_training_case(const Json& request, const Context& context);
@@ -22,6 +23,10 @@ Expected<OperationTask> read_report(const Json& request, const Context& context)
 Expected<OperationTask> read_prefer(const Json& request, const Context& context);
 Expected<OperationTask> read_physiology(const Json& request, const Context& context);
 Expected<OperationTask> read_export(const Json& request, const Context& context);
+Expected<OperationTask> read_export_files(const Json& request, const Context& context);
+Expected<OperationTask> read_fit(const Json& request, const Context& context);
+Expected<OperationTask> read_import(const Json& request, const Context& context);
+Expected<OperationTask> read_model(const Json& request, const Context& context);
 Expected<OperationTask> read_picture(const Json& request, const Context& context);
 
 }  // namespace coapt

@@ -20,6 +20,10 @@ constexpr std::array kOperations = {
               kEverywhere, read_open},
     Operation{"diagnose", "diagnose", "/v1/diagnoses",
               "Finds why a valve leaks, segment by segment.", kEverywhere, read_diagnose},
+    Operation{"compare", "compare", "/v1/comparisons",
+              "Measures the distance between a closed valve and an image or the result of another "
+              "program.",
+              kEverywhere, read_compare},
     Operation{"information", "study information", "/v1/information",
               "Ranks measurements by how much they would reduce the tissue error of the leak.",
               kEverywhere, read_information},

@@ -5,9 +5,9 @@
 #include <cctype>
 #include <optional>
 
+#include "io/json/base64.h"
 #include "io/json/json.h"
 #include "io/json/parse_json.h"
-#include "server/base64.h"
 
 namespace coapt {
 namespace {

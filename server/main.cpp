@@ -20,6 +20,7 @@
 #include "server/crash_mark.h"
 #include "server/jobs/closure_retention.h"
 #include "server/jobs/import_job.h"
+#include "server/jobs/operation_job.h"
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
 #include "server/login_accounts.h"
@@ -168,9 +169,10 @@ int serve(const ServerOptions& options, const Access& access, const ReaderProces
   {
     const JobRunner runner(
         board,
-        {{"plans", PlanJob{board, *store, options.service, plans, options.farm}},
-         {"study", StudyJob{board, *store, options.service, studies, options.farm}},
-         {"import", ImportJob{board, *store, imports}}},
+        with_operations({{"plans", PlanJob{board, *store, options.service, plans, options.farm}},
+                         {"study", StudyJob{board, *store, options.service, studies, options.farm}},
+                         {"import", ImportJob{board, *store, imports}}},
+                        board, *store, imports),
         options.service.running_jobs,
         [&retention](const Job& ended) { static_cast<void>(retention(ended, wall_clock_ms())); });
     print_address(options.host, *port, options.token_file.empty() ? access.token : "");

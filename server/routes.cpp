@@ -68,10 +68,14 @@ Routes routes_of(const Service& service) {
       {"GET", "/coapt-engine.wasm", GetPage{page}},
       {"GET", "/assets/{name}", GetPage{page}},
   };
-  for (const Operation& operation : operations())
-    if (operation.read != nullptr && !operation.needs_store &&
-        (operation.doors & door::kService) != 0)
-      routes.push_back({"POST", operation.path, PostOperation{operation, valves, compute}});
+  for (const Operation& operation : operations()) {
+    if (operation.read == nullptr || (operation.doors & door::kService) == 0) continue;
+    if (operation.as_job)
+      routes.push_back({"POST", operation.path, SubmitOperation{operation, submitting, imports}});
+    else if (!operation.needs_store)
+      routes.push_back(
+          {"POST", operation.path, PostOperation{operation, valves, imports, compute}});
+  }
   return routes;
 }
 

@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "clients/cli/read_argument.h"
+#include "clients/cli/service_job.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
+#include "io/command_line/interrupt.h"
+#include "io/json/named_file.h"
 #include "io/json/plan_json.h"
 #include "operations/operations.h"
 
@@ -69,21 +72,39 @@ AskedRequest asked_repair(const std::string& valve, const PlanOption& plan,
   return asked;
 }
 
+Expected<Json> file_to_send(const std::string& path) {
+  Expected<std::string> bytes = read_input(path);
+  if (!bytes) return bytes.errors();
+  return to_json(NamedFile{path, *std::move(bytes)});
+}
+
 Expected<OperationAnswer> ask(const std::optional<Service>& service, const char* operation,
                               const Json& request, Context& here) {
   const Operation asked = operation_named(operation);
-  if (service) {
-    const Expected<std::string> answer = post(*service, asked.path, request);
-    if (!answer) return answer.errors();
-    return OperationAnswer(AnswerFile{"", *answer});
+  if (!service) {
+    const Expected<OperationTask> task = asked.read(request, here);
+    return task ? task->run(here) : task.errors();
   }
-  const Expected<OperationTask> task = asked.read(request, here);
-  return task ? task->run(here) : task.errors();
+  if (asked.needs_store) {
+    Expected<Json> result = ask_document(service, operation, request, here);
+    if (!result) return result.errors();
+    return OperationAnswer(*std::move(result));
+  }
+  Expected<ServiceAnswer> answer = post(*service, asked.path, request);
+  if (!answer) return answer.errors();
+  return OperationAnswer(AnswerFile{std::move(answer->type), std::move(answer->bytes),
+                                    answer->is_saved ? "answer" : ""});
 }
 
 Expected<Json> ask_document(const std::optional<Service>& service, const char* operation,
                             const Json& request, Context& here) {
-  if (service) return post_json(*service, operation_named(operation).path, request);
+  if (service) {
+    const Operation asked = operation_named(operation);
+    if (!asked.needs_store) return post_json(*service, asked.path, request);
+    const Expected<ServiceJob> job = run_job(*service, asked.path, request, catch_interrupts());
+    if (!job) return job.errors();
+    return get_json(*service, job->path + "/result");
+  }
   Expected<OperationAnswer> answer = ask(service, operation, request, here);
   if (!answer) return answer.errors();
   return std::get<Json>(*std::move(answer));
@@ -94,10 +115,10 @@ int report_refusal(const std::string& command, const Errors& errors,
                    const std::map<std::string, std::string>& options) {
   int status = exit_code::kBadInput;
   for (Error error : errors) {
-    const auto source = std::find_if(sources.begin(), sources.end(), [&](const auto& part) {
+    const auto source = std::find_if(sources.rbegin(), sources.rend(), [&](const auto& part) {
       return error.path == part.first || error.path.starts_with(part.first + "/");
     });
-    if (source == sources.end()) {
+    if (source == sources.rend()) {
       report_option_errors(command, {error}, options);
     } else {
       error.path.erase(0, source->first.size());

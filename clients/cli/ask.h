@@ -31,6 +31,9 @@ struct AskedRequest {
 AskedRequest asked_repair(const std::string& valve, const PlanOption& plan,
                           const std::optional<Service>& service);
 
+/// A file of the command line as it is sent: {"name", "base64"}. Errors: it cannot be read.
+Expected<Json> file_to_send(const std::string& path);
+
 /// @param operation its name. Errors: of the request, with pointers into it; InputOutput, Busy or NoSpace where the service failed.
 Expected<OperationAnswer> ask(const std::optional<Service>& service, const char* operation,
                               const Json& request, Context& here);
@@ -39,7 +42,7 @@ Expected<OperationAnswer> ask(const std::optional<Service>& service, const char*
 Expected<Json> ask_document(const std::optional<Service>& service, const char* operation,
                             const Json& request, Context& here);
 
-/// Prints every error as report_errors() does: those below a pointer of `sources` with that file, others as options of the
+/// Prints every error as report_errors() does: those below a pointer of `sources` (the longest) with that file, others as options of the
 /// command ("/accuracy_mm2" as `options` says, else as "--accuracy-mm2"). Returns an exit code: kFailure for what is not the request's fault.
 int report_refusal(const std::string& command, const Errors& errors,
                    const std::map<std::string, std::string>& sources,

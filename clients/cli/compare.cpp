@@ -1,115 +1,70 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
-#include "clients/cli/result_exit_code.h"
-#include "core/valve/patient_frame.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/exchange/import_files.h"
-#include "io/exchange/shape_file.h"
-#include "io/json/comparison_json.h"
+#include "io/json/json_reader.h"
 #include "io/mesh/write_vtk.h"
 #include "io/picture/distance_map.h"
 #include "io/picture/text.h"
+#include "operations/surface_file.h"
 
 namespace coapt {
 namespace {
-
-constexpr double kSamePlace_mm = 30.0;        // of the middles of two shapes in one patient
-constexpr double kContactThicknesses = 1.25;  // as of coaptation (core/metrics/coaptation.h)
 
 struct CompareArguments {
   std::string closed, reference, picture, mesh;
   std::string alignment = "auto";
   ShapeFileOptions files;
-  ClosureOptions closure;
+  Membrane membrane = ClosureOptions{}.membrane;
   std::optional<double> contact_mm;
+  ServerOption server;
   bool json = false;
 };
 
-/// A shape, and what is known of it where it was closed here.
-struct Shape {
-  LeafletMesh mesh;
-  std::optional<double> thickness_mm;
-  bool at_rest = true;
-  bool in_own_axes = false;  ///< of a valve or a scene; a mesh lies where its file says
-  std::optional<PatientFrame> patient = {};
-};
-
-Shape closed_shape_of(const Valve& valve, const ClosureOptions& options) {
-  const ClosedValve closed = close_and_measure(valve, options);
-  const bool is_finite = closed.closure.closed_mm.allFinite();
-  note_doubt("compare: " + valve.name, closed.closure);
-  return {is_finite ? shape_of(closed) : LeafletMesh{}, valve.tissue.thickness_mm,
-          trusted(closed.closure), true, valve.patient};
-}
-
 /// A mesh by the end of its name, a scene, or a valve, which is closed.
-Expected<Shape> read_shape_argument(const std::string& argument,
-                                    const CompareArguments& arguments) {
+/// @param here gets the valves that are closed here, by their arguments
+Expected<Json> shape_to_send(const std::string& argument, const ShapeFileOptions& options,
+                             const std::optional<Service>& service,
+                             std::map<std::string, Valve>& here) {
   const std::string format = format_of(argument);
   std::error_code ignored;
   const bool exists = std::filesystem::exists(argument, ignored);
-  if (is_shape_format(format)) {
-    const Expected<std::string> bytes = read_input(argument);
-    if (!bytes) return bytes.errors();
-    Expected<LeafletMesh> mesh = read_shape(*bytes, format, arguments.files);
-    if (!mesh) return mesh.errors();
-    return Shape{*std::move(mesh), {}};
-  }
-  if (exists && format != "json")
+  bool is_surface = is_shape_format(format);
+  if (exists && format == "json") {
+    const Expected<std::string> text = read_input(argument);
+    if (!text) return text.errors();
+    is_surface = is_scene_text(*text);
+  } else if (exists && !is_surface) {
     return Error{ErrorCode::Unsupported, "",
                  "must end in one of " + shape_format_names() +
                      ", or be a valve or a scene (.json), or the name of a preset"};
-  if (exists) {
-    const Expected<std::string> text = read_input(argument);
-    if (!text) return text.errors();
-    if (is_scene_text(*text)) {
-      Expected<LeafletMesh> mesh = read_scene_shape(*text);
-      if (!mesh) return mesh.errors();
-      return Shape{*std::move(mesh), {}, true, true};
-    }
   }
-  const Expected<Valve> valve = read_valve_argument(argument);
-  if (!valve) return valve.errors();
-  Shape shape = closed_shape_of(*valve, arguments.closure);
-  if (shape.mesh.faces.rows() == 0)
-    return Error{ErrorCode::BadGeometry, "",
-                 "diverged during closure; there is no closed shape to compare"};
+  if (!is_surface && !service) {
+    Expected<Valve> valve = read_valve_argument(argument);
+    if (!valve) return valve.errors();
+    here.insert_or_assign(argument, *std::move(valve));
+    return Json{{"valve", argument}, {"source", argument}};
+  }
+  Expected<Json> given = is_surface ? file_to_send(argument) : valve_to_send(argument);
+  if (!given) return given.errors();
+  if (!is_surface) return Json{{"valve", *std::move(given)}, {"source", argument}};
+  Json shape = {{"file", *std::move(given)}, {"source", argument}};
+  if (!options.leaflets.empty()) shape["leaflet_array"] = options.leaflets;
+  if (!options.displacement.empty()) shape["displacement_array"] = options.displacement;
   return shape;
-}
-
-Vec3 middle_mm(const Shape& shape) { return shape.mesh.vertices_mm.colwise().mean(); }
-
-/// Valves that know where they lie in the patient go there, beside a mesh or another that knows it. @return whether one did
-bool place_in_patient(Shape& closed, Shape& reference) {
-  const bool both = closed.in_own_axes && reference.in_own_axes;
-  if (both && (!(closed.patient && reference.patient) || closed.patient == reference.patient))
-    return false;
-  bool placed = false;
-  for (Shape* shape : {&closed, &reference}) {
-    if (!shape->patient) continue;
-    shape->mesh.vertices_mm = to_patient(*shape->patient, shape->mesh.vertices_mm);
-    placed = true;
-  }
-  return placed;
-}
-
-/// Shapes that their frames lay on each other stay there: a rigid motion would hide how far they are apart.
-Alignment alignment_of(const std::string& word, bool placed, const Shape& closed,
-                       const Shape& reference) {
-  if (word == "auto" && placed && (middle_mm(closed) - middle_mm(reference)).norm() < kSamePlace_mm)
-    return Alignment::None;
-  return word == "none" ? Alignment::None : word == "rigid" ? Alignment::Rigid : Alignment::Auto;
 }
 
 std::ostream& line(std::ostream& out, const char* label) {
@@ -160,59 +115,96 @@ void print_comparison(std::ostream& out, const Json& json) {
                        << " mm to another part of the surface\n";
 }
 
-std::string map_vtk(const ShapeComparison& comparison, const ComparedShape& closed) {
-  VtkPolyData data{kVtkTitle, comparison.moved_mm, {}, closed.mesh.faces, {}, {}, {}};
-  data.point_data = {{"signed_distance_mm", comparison.signed_mm, false},
-                     {"contact", {closed.contact.begin(), closed.contact.end()}, true}};
-  data.face_data = {{"leaflet", {closed.mesh.leaflets.begin(), closed.mesh.leaflets.end()}, true}};
+/// Rows of three of a list that an operation answered.
+template <class Matrix>
+Matrix matrix_of(const Json& rows) {
+  Matrix matrix(std::ssize(rows), 3);
+  for (Index i = 0; i < matrix.rows(); ++i)
+    for (Index k = 0; k < 3; ++k)
+      rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)].get_to(matrix(i, k));
+  return matrix;
+}
+
+std::string map_vtk(const Json& nodes) {
+  const auto as_numbers = [&](const char* name) {
+    std::vector<double> numbers;
+    for (const Json& value : nodes[name])
+      numbers.push_back(value.is_boolean() ? (value.get<bool>() ? 1.0 : 0.0) : value.get<double>());
+    return numbers;
+  };
+  VtkPolyData data{
+      kVtkTitle, matrix_of<Points>(nodes["moved_mm"]), {}, matrix_of<Faces>(nodes["faces"]), {}, {},
+      {}};
+  data.point_data = {{"signed_distance_mm", as_numbers("signed_mm"), false},
+                     {"contact", as_numbers("contact"), true}};
+  data.face_data = {{"leaflet", as_numbers("leaflets"), true}};
   return write_vtk(data);
 }
 
-std::string map_png(const ShapeComparison& comparison, const ComparedShape& closed,
-                    const ComparedShape& reference) {
-  const DistanceSummary& distance = comparison.distance;
-  const auto name_of = [](const std::string& source) {
-    return std::filesystem::path(source).filename().string();
+std::string map_png(const Json& found, const Json& nodes) {
+  const auto name_of = [&](const char* shape) {
+    return std::filesystem::path(found[shape]["source"].get<std::string>()).filename().string();
   };
   return distance_map_png(
-      {comparison.moved_mm, closed.mesh.faces, comparison.signed_mm,
-       round_range_mm(distance.p95_mm),
-       name_of(closed.source) + " against " + name_of(reference.source),
-       std::string(comparison.node_to_node ? "node to node" : "node to surface") +
-           (comparison.aligned ? ", aligned" : "") + ": rms " + fixed(distance.rms_mm, 3) +
-           " mm, p95 " + fixed(distance.p95_mm, 3) + " mm, max " + fixed(distance.max_mm, 3) +
-           " mm; research software, not a medical device"});
+      {matrix_of<Points>(nodes["moved_mm"]), matrix_of<Faces>(nodes["faces"]),
+       nodes["signed_mm"].get<std::vector<double>>(), round_range_mm(found["p95_mm"]),
+       name_of("closed") + " against " + name_of("reference"),
+       std::string(found["pairing"] == "node_to_node" ? "node to node" : "node to surface") +
+           (found["alignment"]["rigid"] ? ", aligned" : "") + ": rms " + in_mm(found["rms_mm"]) +
+           ", p95 " + in_mm(found["p95_mm"]) + ", max " + in_mm(found["max_mm"]) +
+           "; research software, not a medical device"});
 }
 
-int run(const CompareArguments& arguments) {
+/// Says which closures are not to be trusted; whether there is none, and the alignment settled.
+bool at_rest(const Json& found) {
+  bool trusted = found["alignment"]["settled"];
+  for (const char* name : {"closed", "reference"}) {
+    const Json& shape = found[name];
+    if (!shape.contains("doubt")) continue;
+    std::cerr << "coapt: compare: " << shape["source"].get<std::string>() << ": "
+              << shape["doubt"].get<std::string>() << '\n';
+    trusted = false;
+  }
+  return trusted;
+}
+
+int write_maps(const CompareArguments& arguments, const Json& found, const Json& nodes) {
+  if (!arguments.picture.empty())
+    if (const int failed = write_output(arguments.picture, map_png(found, nodes))) return failed;
+  return arguments.mesh.empty() ? exit_code::kOk : write_output(arguments.mesh, map_vtk(nodes));
+}
+
+int run(const CompareArguments& arguments, const std::optional<Service>& service) {
   for (const std::string& output : {arguments.picture, arguments.mesh})
     if (const int failed = check_output(output)) return failed;
-  Expected<Shape> closed = read_shape_argument(arguments.closed, arguments);
-  if (!closed) return report_errors(arguments.closed, closed.errors());
-  Expected<Shape> reference = read_shape_argument(arguments.reference, arguments);
-  if (!reference) return report_errors(arguments.reference, reference.errors());
-  const bool placed = place_in_patient(*closed, *reference);
-  const double contact_mm = arguments.contact_mm.value_or(
-      kContactThicknesses * closed->thickness_mm.value_or(reference->thickness_mm.value_or(1.0)));
-  const ComparedShape ours{arguments.closed, closed->mesh,
-                           nodes_in_contact(closed->mesh, contact_mm)};
-  const ComparedShape theirs{arguments.reference, reference->mesh,
-                             nodes_in_contact(reference->mesh, contact_mm)};
-  const ShapeComparison comparison = compare_shapes(
-      ours.mesh, theirs.mesh, alignment_of(arguments.alignment, placed, *closed, *reference));
-  const Json json = comparison_to_json(comparison, ours, theirs, contact_mm);
-  if (arguments.json) {
-    std::cout << json.dump(2) << '\n';
-  } else {
-    print_comparison(std::cout, json);
+  Json request = {{"align", arguments.alignment}, {"membrane", to_string(arguments.membrane)}};
+  std::map<std::string, std::string> sources;
+  std::map<std::string, Valve> valves;
+  for (const auto& [name, argument] :
+       {std::pair<const char*, std::string>("closed", arguments.closed),
+        {"reference", arguments.reference}}) {
+    const Expected<Json> shape = shape_to_send(argument, arguments.files, service, valves);
+    if (!shape) return report_errors(argument, shape.errors());
+    request[name] = *shape;
+    for (const char* part : {"", "/file", "/valve"})
+      sources["/" + std::string(name) + part] = argument;
   }
-  if (!arguments.picture.empty())
-    if (const int failed = write_output(arguments.picture, map_png(comparison, ours, theirs)))
-      return failed;
-  if (!arguments.mesh.empty())
-    if (const int failed = write_output(arguments.mesh, map_vtk(comparison, ours))) return failed;
-  const bool at_rest = closed->at_rest && reference->at_rest && comparison.settled;
-  return at_rest ? exit_code::kOk : exit_code::kNotClosed;
+  if (arguments.contact_mm) request["contact_mm"] = *arguments.contact_mm;
+  const bool maps = !arguments.picture.empty() || !arguments.mesh.empty();
+  if (maps) request["nodes"] = true;
+  Context here{.surface_of = read_surface_file};
+  here.valve_named = [&](const std::string& name) -> Expected<Valve> { return valves.at(name); };
+  Expected<Json> found = ask_document(service, "compare", request, here);
+  if (!found) return report_refusal("compare", found.errors(), sources);
+  const Json nodes = found->value("nodes", Json());
+  found->erase("nodes");
+  if (arguments.json)
+    std::cout << found->dump(2) << '\n';
+  else
+    print_comparison(std::cout, *found);
+  const bool trusted = at_rest(*found);
+  if (const int failed = write_maps(arguments, *found, nodes)) return failed;
+  return trusted ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -246,7 +238,7 @@ void add_compare(Command parent, int& status) {
           "Contact distance: nodes closer than this to another part of the surface are in contact")
       .show_default("1.25 x the valve's thickness (1 mm if unknown)")
       .check(number_from(0.001, 100.0));
-  add_membrane_option(command, arguments->closure.membrane);
+  add_membrane_option(command, arguments->membrane);
   command.add_option("--map", arguments->picture, "Write a picture of the signed distance (PNG)")
       .check({refuse_standard_output, "FILE"});
   command
@@ -254,6 +246,7 @@ void add_compare(Command parent, int& status) {
                   "Write the closed shape with its signed distance (legacy VTK)")
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--json", arguments->json, "Print JSON");
+  add_server_option(command, arguments->server);
   command.footer(
       "Meshes with the same nodes and connectivity are compared node by node; otherwise the "
       "distance is\nmeasured from each node of CLOSED to the surface of REFERENCE after a rigid "
@@ -264,7 +257,8 @@ void add_compare(Command parent, int& status) {
       "  coapt compare closed.vtk segmented.stl --map distance.png\n"
       "  coapt compare human-normal fine.ply --json\n"
       "  coapt compare frame_19.vtu frame_20.vtu --contact-mm 0.8 -o distance.vtk");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  on_run_by(command, "compare", arguments->server, {}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

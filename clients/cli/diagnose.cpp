@@ -6,12 +6,12 @@
 #include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
-#include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/server_option.h"
 #include "core/valve/number_text.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
+#include "io/picture/text_table.h"
 
 namespace coapt {
 namespace {

@@ -1,21 +1,21 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/read_argument.h"
-#include "clients/cli/result_exit_code.h"
-#include "core/valve/number_text.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/exchange/formats.h"
-#include "io/json/plan_json.h"
-#include "search/evaluator.h"
+#include "io/json/base64.h"
 
 namespace coapt {
 namespace {
@@ -26,6 +26,7 @@ struct ExportArguments {
   std::vector<std::string> outputs;
   std::string grid;
   ExportOptions options;
+  ServerOption server;
 };
 
 bool is_folder(const std::string& path) {
@@ -39,14 +40,18 @@ std::string refuse_unknown_format(const std::string& path) {
   return "'" + path + "' must end in one of " + format_names() + ", or be a folder";
 }
 
-int write_folder(const std::string& path, const ClosedValve& exported,
-                 const ExportOptions& options) {
-  const Expected<std::vector<NamedFile>> files = write_slicerheart(exported, options);
-  if (!files) return report_errors("export", files.errors());
+/// Of a request.
+std::string format_asked(const std::string& path) {
+  return is_folder(path) ? "slicerheart" : format_of_path(path)->name;
+}
+
+using Files = std::vector<NamedFile>;
+
+int write_folder(const std::string& path, const Files& files) {
   const std::filesystem::path folder = path;
   for (const char* name : kOptionalFiles) {
-    const bool is_written = std::any_of(files->begin(), files->end(),
-                                        [&](const NamedFile& f) { return f.name == name; });
+    const bool is_written =
+        std::any_of(files.begin(), files.end(), [&](const NamedFile& f) { return f.name == name; });
     std::error_code ignored;
     if (!is_written && std::filesystem::exists(folder / name, ignored))
       return report_errors(
@@ -57,67 +62,65 @@ int write_folder(const std::string& path, const ClosedValve& exported,
   }
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  for (const NamedFile& file : *files)
+  for (const NamedFile& file : files)
     if (const int code = write_output(folder / file.name, file.bytes)) return code;
   return exit_code::kOk;
 }
 
-int write_file(const std::string& path, const ClosedValve& exported, const ExportOptions& options) {
-  const Expected<std::string> bytes = write_valve_file(exported, *format_of_path(path), options);
-  if (!bytes) return report_option_errors("export", bytes.errors(), {{"/grid", "--grid"}});
-  return write_output(path, *bytes);
-}
-
-/// Says it if chordae had to be moved for files whose chordae end at vertices.
-void note_attachment(const ExportArguments& arguments, const ClosedValve& exported) {
-  double shift = 0.0;
-  for (const std::string& path : arguments.outputs) {
-    const FileFormat* format = format_of_path(path);
-    const std::string name = format == nullptr || is_folder(path) ? "vtk" : format->name;
-    if (name != "vtk" && name != "feb") continue;
-    const bool open = arguments.options.open || name == "feb";
-    shift =
-        std::max(shift, attachment_shift_mm(exported.valve, open ? unstressed_shape(exported.valve)
-                                                                 : closed_shape(exported)));
+/// The voxels of the label map of --grid, as a request has them.
+Expected<Json> read_grid(const std::string& path) {
+  const Expected<std::string> bytes = read_input(path);
+  if (!bytes) return bytes.errors();
+  const Expected<LabelMap> map = read_label_map(*bytes);
+  if (!map) return map.errors();
+  Json rows = Json::array();
+  for (Index i = 0; i < 3; ++i) {
+    Json row = Json::array();
+    for (Index k = 0; k < 4; ++k) row.push_back(map->to_lps_mm(i, k));
+    rows.push_back(std::move(row));
   }
-  if (shift < 0.001) return;
-  std::cerr << "coapt: chordae end at the nearest vertices of the mesh in .vtk and .feb, at most "
-            << with_decimals(shift, 2) << " mm from their insertions\n";
+  return Json{{"size", map->size}, {"to_lps_mm", std::move(rows)}};
 }
 
-/// Says it of files from which no import makes a valve with ties.
-void note_ties(const ExportArguments& arguments, const Valve& valve) {
-  if (valve.ties.empty()) return;
-  for (const std::string& path : arguments.outputs)
-    if (!is_folder(path) && format_of_path(path)->loses_ties)
-      std::cerr << "coapt: " << printable(path)
-                << ": this format does not store the edge-to-edge repair; a valve imported from "
-                   "the file lacks it\n";
+/// The files of each format in coapt.export/1.
+std::map<std::string, Files> files_in(const Json& answer) {
+  std::map<std::string, Files> files;
+  for (const Json& entry : answer["files"])
+    files[entry["format"].get<std::string>()].push_back(
+        {entry["name"].get<std::string>(),
+         decoded_base64(entry["base64"].get<std::string>()).value_or("")});
+  return files;
 }
 
-int run(ExportArguments arguments) {
-  const PlannedValve planned = read_planned_valve(arguments.valve, arguments.plan);
-  if (planned.failed) return planned.failed;
-  for (const std::string& path : arguments.outputs)
+int run(const ExportArguments& arguments, const std::optional<Service>& service) {
+  AskedRequest asked = asked_repair(arguments.valve, arguments.plan, service);
+  if (asked.failed) return asked.failed;
+  Json formats = Json::array();
+  for (const std::string& path : arguments.outputs) {
     if (const int failed = is_folder(path) ? exit_code::kOk : check_output(path)) return failed;
+    formats.push_back(format_asked(path));
+  }
+  asked.request["formats"] = std::move(formats);
+  asked.request["open"] = arguments.options.open;
+  if (arguments.options.frame == ExportFrame::Valve) asked.request["frame"] = "valve";
   if (!arguments.grid.empty()) {
-    const Expected<std::string> bytes = read_input(arguments.grid);
-    if (!bytes) return report_errors(arguments.grid, bytes.errors());
-    const Expected<LabelMap> map = read_label_map(*bytes);
-    if (!map) return report_errors(arguments.grid, map.errors());
-    arguments.options.grid = {map->size, map->to_lps_mm, map->placed};
+    const Expected<Json> grid = read_grid(arguments.grid);
+    if (!grid) return report_errors(arguments.grid, grid.errors());
+    asked.request["grid"] = *grid;
   }
-
-  const ClosedValve exported = with_repair(close_and_measure(planned.repaired, {.motion = true}),
-                                           planned.valve, planned.plan);
+  const Expected<Json> answer = ask_document(service, "export_files", asked.request, asked.here);
+  if (!answer) return report_refusal("export", answer.errors(), asked.sources);
+  const std::map<std::string, Files> files = files_in(*answer);
   for (const std::string& path : arguments.outputs) {
-    const auto write = is_folder(path) ? write_folder : write_file;
-    if (const int failed = write(path, exported, arguments.options)) return failed;
+    const Files& of_path = files.at(format_asked(path));
+    if (const int failed = is_folder(path) ? write_folder(path, of_path)
+                                           : write_output(path, of_path.front().bytes))
+      return failed;
   }
-  note_doubt("export", exported.closure);
-  note_attachment(arguments, exported);
-  note_ties(arguments, exported.valve);
-  return trusted(exported.closure) ? exit_code::kOk : exit_code::kNotClosed;
+  Json notes = answer->value("notes", Json::array());
+  if (answer->contains("doubt")) notes.insert(notes.begin(), (*answer)["doubt"]);
+  for (const Json& note : notes) std::cerr << "coapt: export: " << printable(note.get<std::string>()) << '\n';
+  return (*answer)["closure"] == "converged" ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -147,6 +150,7 @@ void add_export(Command parent, int& status) {
       "--grid", arguments->grid,
       "Label map that the valve was imported from; exported label maps use its voxel grid and so "
       "overlay the images (default: a grid of 0.5 mm voxels around the valve)");
+  add_server_option(command, arguments->server);
   std::string formats = "Formats:\n";
   for (const FileFormat& format : file_formats())
     formats += "  ." + std::string(format.name) +
@@ -162,7 +166,8 @@ void add_export(Command parent, int& status) {
       "  coapt export valve.json -o valve.feb\n"
       "  coapt export valve.json --open -o FEM-model/     # coapt valve import --slicerheart reads "
       "it");
-  command.on_run([arguments, &status] { status = run(*arguments); });
+  on_run_by(command, "export", arguments->server, {}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

@@ -1,4 +1,5 @@
-#include <cmath>
+#include "search/fit/fit.h"
+
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -7,183 +8,166 @@
 #include <string>
 #include <vector>
 
+#include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
-#include "core/valve/patient_frame.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
 #include "io/command_line/progress_bar.h"
 #include "io/exchange/import_files.h"
-#include "io/exchange/shape_file.h"
-#include "io/json/fit_json.h"
+#include "io/json/base64.h"
 #include "io/json/valve_json.h"
-#include "io/mesh/import_readers.h"
-#include "io/picture/fit_picture.h"
 #include "io/picture/text.h"
+#include "operations/surface_file.h"
 
 namespace coapt {
 namespace {
 
 constexpr double kMostSeconds = 600.0;
 
-enum class SurfaceFrame { Patient, Valve };
-
 struct FitArguments {
   std::string valve, closed, output, picture;
-  SurfaceFrame frame = SurfaceFrame::Patient;
-  bool frame_given = false;
-  MeasuredSide side = MeasuredSide::Atrial;
+  std::string frame, side = "atrial";
   std::optional<double> leak_mm2;
   double leak_sd_mm2 = MeasuredClosure{}.leak_sd_mm2;
   std::vector<std::string> known;
   FitOptions options;
+  ServerOption server;
   bool json = false;
 };
 
-/// Points of a mesh, with its triangles, or of a CSV table, without.
-Expected<LeafletMesh> read_surface(const std::string& path) {
-  const Expected<std::string> bytes = read_input(path);
-  if (!bytes) return bytes.errors();
-  const std::string format = format_of(path);
-  if (is_shape_format(format)) return read_shape(*bytes, format);
-  if (format != "csv")
-    return Error{ErrorCode::Unsupported, "",
-                 "must end in one of " + shape_format_names() + ", or in csv (x,y,z lines)"};
-  const Expected<Points> points = read_points_csv(*bytes);
-  if (!points) return points.errors();
-  LeafletMesh cloud;
-  cloud.vertices_mm = *points;
-  return cloud;
+/// What the arguments ask for, beside valve and surface.
+void add_options(const FitArguments& arguments, Json& request) {
+  const FitOptions& options = arguments.options;
+  request.update(Json{{"source", arguments.valve},
+                      {"side", arguments.side},
+                      {"leak_sd_mm2", arguments.leak_sd_mm2},
+                      {"known", arguments.known},
+                      {"slack_sd", options.unknowns.slack_sd},
+                      {"tip_sd_mm", options.unknowns.tip_sd_mm},
+                      {"hidden_sd_mm", options.unknowns.hidden_sd_mm},
+                      {"ruptured", options.ruptures},
+                      {"points", options.most_points},
+                      {"rounds", options.most_rounds},
+                      {"seconds", options.most_seconds},
+                      {"membrane", to_string(options.closure.membrane)},
+                      {"map", !arguments.picture.empty()}});
+  if (!arguments.frame.empty()) request["frame"] = arguments.frame;
+  if (arguments.leak_mm2) request["leak_mm2"] = *arguments.leak_mm2;
 }
 
-/// Into the valve's frame.
-Expected<LeafletMesh> placed(LeafletMesh surface, const Valve& valve,
-                             const FitArguments& arguments) {
-  if (arguments.frame == SurfaceFrame::Valve) return surface;
-  if (valve.patient) {
-    surface.vertices_mm = from_patient(*valve.patient, surface.vertices_mm);
-    return surface;
-  }
-  if (arguments.frame_given)
-    return Error{ErrorCode::MissingField, "/patient_frame",
-                 "is missing in the valve: it was not made from images, or by an older version; "
-                 "use --frame valve if the surface is in the valve's own frame"};
-  return surface;
-}
-
-const char* why(FitStop stop) {
-  switch (stop) {
-    case FitStop::RoundLimit:
-      return " (--rounds)";
-    case FitStop::TimeLimit:
-      return " (--seconds)";
-    case FitStop::AtRest:
-    case FitStop::Cancelled:
-      return "";
-  }
-  return "";
+std::string why(const Json& stop) {
+  return stop == "round_limit" ? " (--rounds)" : stop == "time_limit" ? " (--seconds)" : "";
 }
 
 /// Those of --ruptured, if it was given.
-void print_hypotheses(std::ostream& out, const ValveFit& fit) {
-  if (fit.hypotheses.empty()) return;
+void print_hypotheses(std::ostream& out, const Json& fit) {
+  if (!fit.contains("hypotheses")) return;
   out << "\n  " << std::left << std::setw(14) << "hypothesis" << std::right << std::setw(13)
       << "probability" << std::setw(9) << "rms, mm" << std::setw(11) << "leak, mm2"
       << "\n";
-  for (const FitHypothesis& of : fit.hypotheses) {
-    out << "  " << std::left << std::setw(14) << of.name << std::right << std::setw(13)
-        << fixed(of.probability, 3);
-    if (std::isnan(of.rms_mm))
+  for (const Json& of : fit["hypotheses"]) {
+    out << "  " << std::left << std::setw(14) << of["name"].get<std::string>() << std::right
+        << std::setw(13) << fixed(of["probability"], 3);
+    if (of["rms_mm"].is_null())
       out << "  closure failed";
     else
-      out << std::setw(9) << fixed(of.rms_mm, 3) << std::setw(11) << fixed(of.leak_mm2, 1)
-          << (of.name == fit.taken ? "  selected"
-              : of.refitted        ? ""
-                                   : "  not fitted");
+      out << std::setw(9) << fixed(of["rms_mm"], 3) << std::setw(11) << fixed(of["leak_mm2"], 1)
+          << (of["taken"]      ? "  selected"
+              : of["refitted"] ? ""
+                               : "  not fitted");
     out << '\n';
   }
-  for (std::size_t i = 0; i < fit.left_out.size(); ++i)
-    out << (i == 0 ? "skipped at the time limit: " : ", ") << fit.left_out[i];
-  if (!fit.left_out.empty()) out << '\n';
+  const char* separator = "skipped at the time limit: ";
+  for (const Json& name : fit["hypotheses_left_out"]) {
+    out << separator << name.get<std::string>();
+    separator = ", ";
+  }
+  if (!fit["hypotheses_left_out"].empty()) out << '\n';
 }
 
-void print_fit(std::ostream& out, const ValveFit& fit, const MeasuredClosure& measured) {
-  out << "distance   " << fixed(fit.rms_before_mm, 3) << " mm rms before, " << fixed(fit.rms_mm, 3)
-      << " mm after, of " << fit.points_mm.rows() << " points, equivalent to "
-      << std::lround(fit.independent_points) << " independent points\n"
-      << "leak       " << fixed(fit.before.measure.leak.area_mm2, 1) << " mm2 before, "
-      << fixed(fit.leak.mm2, 1) << " ± " << fixed(fit.leak.sd_mm2, 1) << " mm2 after";
-  if (measured.leak_mm2)
-    out << " (given: " << fixed(*measured.leak_mm2, 1) << " ± " << fixed(measured.leak_sd_mm2, 1)
-        << ')';
+void print_fit(std::ostream& out, const Json& fit) {
+  const Json& leak = fit["leak_mm2"];
+  out << "distance   " << fixed(fit["rms_before_mm"], 3) << " mm rms before, "
+      << fixed(fit["rms_mm"], 3) << " mm after, of " << fit["points"]["used"]
+      << " points, equivalent to " << fixed(fit["points"]["independent"], 0)
+      << " independent points\n"
+      << "leak       " << fixed(leak["before"], 1) << " mm2 before, " << fixed(leak["fitted"], 1)
+      << " ± " << fixed(leak["sd"], 1) << " mm2 after";
+  if (leak.contains("given"))
+    out << " (given: " << fixed(leak["given"], 1) << " ± " << fixed(leak["given_sd"], 1) << ')';
   out << "\n\n  " << std::left << std::setw(28) << "parameter" << std::right << std::setw(9)
       << "value" << std::setw(9) << "sd" << std::setw(9) << "before" << std::setw(9) << "sd"
       << "\n";
-  for (const FittedParameter& fitted : fit.parameters) {
-    const FitParameter& parameter = fitted.parameter;
-    const bool mm = parameter.unit == "mm";
-    out << "  " << std::left << std::setw(28) << (parameter.name + (mm ? ", mm" : ""))
-        << std::right;
-    for (const double number : {fitted.value, fitted.sd, parameter.prior, parameter.prior_sd})
-      out << std::setw(9) << fixed(number, mm ? 2 : 3);
-    out << (fitted.identifiable ? "" : "  weakly constrained by the data") << '\n';
+  for (const Json& fitted : fit["parameters"]) {
+    const bool mm = fitted["unit"] == "mm";
+    out << "  " << std::left << std::setw(28)
+        << (fitted["name"].get<std::string>() + (mm ? ", mm" : "")) << std::right;
+    for (const char* number : {"value", "sd", "prior", "prior_sd"})
+      out << std::setw(9) << fixed(fitted[number], mm ? 2 : 3);
+    out << (fitted["identifiable"] ? "" : "  weakly constrained by the data") << '\n';
   }
   print_hypotheses(out, fit);
-  if (fit.stop != FitStop::AtRest) out << "\nstopped before convergence" << why(fit.stop) << '\n';
+  if (!fit["finished"]) out << "\nstopped before convergence" << why(fit["stop"]) << '\n';
 }
 
-int run(FitArguments arguments) {
+Expected<Json> surface_to_send(const std::string& path) {
+  const std::string format = format_of(path);
+  if (is_shape_format(format) || format == "csv") return file_to_send(path);
+  return Error{ErrorCode::Unsupported, "",
+               "must end in one of " + shape_format_names() + ", or in csv (x,y,z lines)"};
+}
+
+/// The answer, while a bar shows how far it is.
+Expected<Json> ask_for_fit(const std::optional<Service>& service, AskedRequest& asked) {
+  const ProgressBar bar;
+  double rms_mm = 0.0;
+  asked.here.surface_of = read_surface_file;
+  asked.here.interrupted = &catch_interrupts();
+  asked.here.distance = [&](double now_mm) { rms_mm = now_mm; };
+  asked.here.progress = [&](int round, int rounds) {
+    bar.show(round, rounds, "rounds (maximum), rms " + fixed(rms_mm, 3) + " mm");
+  };
+  return ask_document(service, "fit", asked.request, asked.here);
+}
+
+int run(const FitArguments& arguments, const std::optional<Service>& service) {
   for (const std::string& output : {arguments.output, arguments.picture})
     if (const int failed = check_output(output)) return failed;
-  const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
-  const Expected<LeafletMesh> read = read_surface(arguments.closed);
-  if (!read) return report_errors(arguments.closed, read.errors());
-  const Expected<LeafletMesh> surface = placed(*read, *valve, arguments);
-  if (!surface) return report_errors(arguments.valve, surface.errors());
-  for (const std::string& known : arguments.known) {
-    FitUnknowns& unknowns = arguments.options.unknowns;
-    (known == "slack"        ? unknowns.slack
-     : known == "tips"       ? unknowns.tips
-     : known == "prestretch" ? unknowns.prestretch
-                             : unknowns.hidden) = false;
-  }
-  const MeasuredClosure measured{surface->vertices_mm, arguments.side, arguments.leak_mm2,
-                                 arguments.leak_sd_mm2};
-  Expected<ValveFit> fit = Error{};
-  {
-    const ProgressBar bar;
-    const std::atomic<bool>& interrupted = catch_interrupts();
-    arguments.options.cancelled = [&] { return interrupted.load(); };
-    arguments.options.progress = [&](int round, double rms_mm) {
-      bar.show(round, (arguments.options.ruptures ? 6 : 2) * arguments.options.most_rounds,
-               "rounds (maximum), rms " + fixed(rms_mm, 3) + " mm");
-      return true;
-    };
-    fit = fit_valve(*valve, measured, arguments.options);
-  }
-  if (!fit)
-    return report_option_errors(
-        "fit", fit.errors(),
-        {{"/points_mm", "--closed"}, {"/leak_mm2", "--leak"}, {"/unknowns", "--known"}});
-  Valve fitted = fit->closed.valve;
+  AskedRequest asked = asked_repair(arguments.valve, {}, service);
+  if (asked.failed) return asked.failed;
+  const Expected<Json> surface = surface_to_send(arguments.closed);
+  if (!surface) return report_errors(arguments.closed, surface.errors());
   const std::string surface_name = std::filesystem::path(arguments.closed).filename().string();
-  fitted.provenance.push_back(fit_sentence(*fit, surface_name));
-  if (const int failed = write_output(arguments.output, write_valve(fitted))) return failed;
-  if (!arguments.picture.empty())
-    if (const int failed = write_output(arguments.picture,
-                                        fit_map_png(*surface, *fit, arguments.side, surface_name)))
+  asked.request["surface"] = {{"file", *surface}, {"source", surface_name}};
+  asked.sources["/surface/file"] = arguments.closed;
+  add_options(arguments, asked.request);
+  asked.here.limits.threads = arguments.options.threads;
+  Expected<Json> fit = ask_for_fit(service, asked);
+  if (!fit)
+    return report_refusal(
+        "fit", fit.errors(), asked.sources,
+        {{"/surface", "--closed"}, {"/leak_mm2", "--leak"}, {"/known", "--known"}});
+  const Expected<Valve> fitted = read_any_valve((*fit)["fitted"].dump());
+  if (!fitted) return report_errors("fit", fitted.errors());
+  if (const int failed = write_output(arguments.output, write_valve(*fitted))) return failed;
+  if (!arguments.picture.empty() && fit->contains("map"))
+    if (const int failed =
+            write_output(arguments.picture,
+                         decoded_base64((*fit)["map"]["base64"].get<std::string>()).value_or("")))
       return failed;
+  fit->erase("fitted");
+  fit->erase("map");
+  (*fit)["closed"] = arguments.closed;  // with its folder, which the valve's provenance leaves out
   if (arguments.json)
-    std::cout << fit_to_json(*fit, {arguments.valve, arguments.closed, measured}).dump(2) << '\n';
+    std::cout << fit->dump(2) << '\n';
   else
-    print_fit(std::cout, *fit, measured);
-  const std::vector<std::string> doubts = doubts_of(*fit);
-  for (const std::string& doubt : doubts)
-    std::cerr << "coapt: fit: check this against the images: " << doubt << ".\n";
-  return fit->stop == FitStop::AtRest && doubts.empty() ? exit_code::kOk : exit_code::kNotClosed;
+    print_fit(std::cout, *fit);
+  for (const Json& doubt : (*fit)["doubts"])
+    std::cerr << "coapt: fit: check this against the images: " << doubt.get<std::string>() << ".\n";
+  return (*fit)["finished"] && (*fit)["doubts"].empty() ? exit_code::kOk : exit_code::kNotClosed;
 }
 
 }  // namespace
@@ -203,19 +187,17 @@ void add_fit(Command parent, int& status) {
   command.add_option("-o,--output", arguments->output, "File for the fitted valve")
       .required()
       .check({refuse_standard_output, "FILE"});
-  const std::map<std::string, MeasuredSide> sides = {{"atrial", MeasuredSide::Atrial},
-                                                     {"middle", MeasuredSide::Middle}};
   command
-      .add_choice("--side", arguments->side, sides,
+      .add_option("--side", arguments->side,
                   "Surface that was imaged: atrial (default), the atrial side of the leaflets; "
                   "middle, their mid-surface")
+      .one_of(std::vector<std::string>{"atrial", "middle"})
       .show_argument("SIDE");
-  const std::map<std::string, SurfaceFrame> frames = {{"patient", SurfaceFrame::Patient},
-                                                      {"valve", SurfaceFrame::Valve}};
   command
-      .add_choice(
-          "--frame", arguments->frame, frames,
+      .add_option(
+          "--frame", arguments->frame,
           "Coordinate frame of the surface: patient (LPS; default if known to the valve) or valve")
+      .one_of(std::vector<std::string>{"patient", "valve"})
       .show_argument("FRAME");
   command
       .add_option("--leak", arguments->leak_mm2,
@@ -271,6 +253,7 @@ void add_fit(Command parent, int& status) {
                   "Write a map of the remaining distance (PNG; meshes only)")
       .check({refuse_standard_output, "FILE"});
   command.add_flag("--json", arguments->json, "Print JSON (coapt.fit/1)");
+  add_server_option(command, arguments->server);
   command.footer(
       "The fit adjusts parameters that images do not show, each within three standard deviations "
       "of\nits prior: chordal lengths by group and muscle, positions of the papillary tips, in "
@@ -284,10 +267,8 @@ void add_fit(Command parent, int& status) {
       "  coapt fit flail.json --closed systole.stl --leak 40 --ruptured -o fitted.json\n"
       "  coapt fit valve.json --closed points.csv --frame valve --known tips hidden -o "
       "fitted.json");
-  command.on_run([arguments, command, &status] {
-    arguments->frame_given = command.has("--frame");
-    status = run(*arguments);
-  });
+  on_run_by(command, "fit", arguments->server, {"--threads"}, status,
+            [arguments](const auto& service) { return run(*arguments, service); });
 }
 
 }  // namespace coapt

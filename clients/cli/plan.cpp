@@ -17,7 +17,6 @@
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
 #include "io/json/plan_json.h"
-#include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/subject.h"
 #include "io/picture/report.h"
@@ -62,31 +61,39 @@ int run_by(const Service& service, const Command& command, PlanArguments argumen
 
 int run(const Command& command, PlanArguments arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Expected<Valve> valve = read_valve_argument(arguments.valve);
-  if (!valve) return report_errors(arguments.valve, valve.errors());
+  AskedRequest asked = asked_repair(arguments.valve, {}, std::nullopt);
+  if (asked.failed) return asked.failed;
   if (const int failed = complete_options(command, arguments)) return failed;
   if (const int failed = check_output(arguments.report)) return failed;
-  const SearchOptions& options = arguments.options;
-  SearchContext context{.cancelled = &interrupted};
-  const auto store = use_store(arguments.store, *valve, options.closure, context);
-  if (!store) return report_store_errors("plan", store.errors());
-
+  asked.request["search"] = to_json(arguments.options);
+  asked.here.interrupted = &interrupted;
+  int unusable = exit_code::kOk;
+  std::string report;
+  asked.here.scored = [&](const Valve& valve, const SearchOptions& options,
+                          const SearchResult& result) {
+    if (!arguments.report.empty())
+      report = plan_report_html(
+          result, {options, subject_of(valve, options.closure), command_line(arguments)});
+  };
   const auto search = [&] {
     const ProgressBar bar;
-    context.progress = [&](const SearchProgress& progress) { show(bar, progress); };
-    return search_plans(*valve, options, context);
+    asked.here.searches = [&](const Valve& valve, const SearchOptions& options,
+                              SearchContext& context) -> Errors {
+      context.progress = [&](const SearchProgress& progress) { show(bar, progress); };
+      const auto store = use_store(arguments.store, valve, options.closure, context);
+      if (!store) unusable = report_store_errors("plan", store.errors());
+      return store ? Errors() : store.errors();
+    };
+    return ask_document(std::nullopt, "plan", asked.request, asked.here);
   };
-  const Expected<SearchResult> result = search();
-  if (!result) return report_search_errors(arguments, result.errors());
-
-  const SearchRequest request{options, subject_of(*valve, options.closure),
-                              command_line(arguments)};
-  const int status = show_plans(arguments, to_json(*result, request));
-  if (!arguments.report.empty()) {
-    const std::string report = plan_report_html(*result, request);
-    if (const int failed = write_output(arguments.report, report)) return failed;
-  }
-  return status;
+  Expected<Json> result = search();
+  if (unusable != exit_code::kOk) return unusable;
+  if (!result) return report_refused_search(arguments, result.errors());
+  (*result)["reproduce"]["command"] = command_line(arguments);
+  const int status = show_plans(arguments, *result);
+  const int failed =
+      arguments.report.empty() ? exit_code::kOk : write_output(arguments.report, report);
+  return failed != exit_code::kOk ? failed : status;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/metrics/estimate.h"
 #include "core/valve/number_text.h"
 #include "io/json/json.h"
+#include "io/picture/model_study_page.h"
 #include "io/picture/text.h"
 #include "search/plans/objective.h"
 
@@ -176,12 +177,6 @@ std::string draws_words(const Json& draws) {
          (contradicts ? ". The observation "
                       : ", weighted by the observations of the valve: they ") +
          weight_words(contradicts, number_of(draws["effective"]));
-}
-
-std::string weight_words(bool contradicts, double effective) {
-  return contradicts ? "contradicts the model: no variant lies within three standard deviations of "
-                       "it, so the variants are not weighted"
-                     : "are equivalent to " + fixed(effective, 0) + " of equal weight";
 }
 
 double number_of(const Json& value) {

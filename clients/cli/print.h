@@ -23,10 +23,6 @@ Estimate estimate_of(const Json& json, double value);
 /// as many as 23 that weigh alike".
 std::string draws_words(const Json& draws);
 
-/// How draws weigh by what was observed, the end of a sentence: "contradicts the model: ...", said of what was observed, or "say as much as 23
-/// that weigh alike", of the draws.
-std::string weight_words(bool contradicts, double effective);
-
 /// NaN if it is null.
 double number_of(const Json& value);
 

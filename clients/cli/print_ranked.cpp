@@ -13,6 +13,7 @@
 #include "core/closed/diagnosis.h"
 #include "core/valve/number_text.h"
 #include "io/json/json.h"
+#include "io/picture/model_study_page.h"
 #include "io/picture/text.h"
 
 namespace coapt {

@@ -29,6 +29,8 @@ struct Reply {
   int status = 0;
   std::string body{}, retry_after{};
   bool too_large = false;  ///< more than kMostAnswer: nothing of it is there
+  std::string type = {};   ///< of the body
+  bool is_saved = false;   ///< it has a name
 };
 
 struct Call {
@@ -129,7 +131,12 @@ Expected<Reply> call_once(const Service& service, const Call& call) {
   const httplib::Result result = client.send(request);
   if (too_large) return Reply{.too_large = true};
   if (!result) return unreachable(service, result.error());
-  return Reply{result->status, std::move(body), result->get_header_value("Retry-After"), false};
+  return Reply{result->status,
+               std::move(body),
+               result->get_header_value("Retry-After"),
+               false,
+               result->get_header_value("Content-Type"),
+               result->has_header("Content-Disposition")};
 }
 
 /// What a service, or a proxy before it, says against a request.
@@ -255,8 +262,10 @@ Expected<std::string> get(const Service& service, const std::string& path) {
   return body_of(call(service, {"GET", path, "", ""}));
 }
 
-Expected<std::string> post(const Service& service, const std::string& path, const Json& body) {
-  return body_of(call(service, {"POST", path, body.dump(), ""}));
+Expected<ServiceAnswer> post(const Service& service, const std::string& path, const Json& body) {
+  Expected<Reply> reply = call(service, {"POST", path, body.dump(), ""});
+  if (!reply) return reply.errors();
+  return ServiceAnswer{std::move(reply->body), std::move(reply->type), reply->is_saved};
 }
 
 Expected<Json> get_json(const Service& service, const std::string& path) {

@@ -23,8 +23,12 @@ Expected<std::string> get(const Service& service, const std::string& path);
 /// The same, as JSON.
 Expected<Json> get_json(const Service& service, const std::string& path);
 
+struct ServiceAnswer {
+  std::string bytes, type;  ///< "image/png"
+  bool is_saved = false;    ///< a file that has a name
+};
 /// What answers a POST, as it is: a page, a file.
-Expected<std::string> post(const Service& service, const std::string& path, const Json& body);
+Expected<ServiceAnswer> post(const Service& service, const std::string& path, const Json& body);
 
 /// The JSON that answers a POST, which is sent again if the answer gets lost. @param key Idempotency-Key; may be empty
 Expected<Json> post_json(const Service& service, const std::string& path, const Json& body,

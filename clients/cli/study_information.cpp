@@ -8,7 +8,6 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
-#include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "io/command_line/exit_code.h"
@@ -17,6 +16,7 @@
 #include "io/command_line/progress_bar.h"
 #include "io/json/model_study_json.h"
 #include "io/picture/text.h"
+#include "io/picture/text_table.h"
 #include "search/studies/information.h"
 
 namespace coapt {

@@ -6,13 +6,13 @@
 #include "clients/cli/ask.h"
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
-#include "clients/cli/print_table.h"
 #include "clients/cli/read_argument.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/progress_bar.h"
 #include "io/json/physiology_json.h"
+#include "io/picture/text_table.h"
 
 namespace coapt {
 namespace {

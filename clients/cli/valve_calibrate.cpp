@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
-#include "clients/cli/print_table.h"
 #include "core/valve/number_text.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
@@ -15,6 +14,7 @@
 #include "io/json/calibration_json.h"
 #include "io/json/physiology_json.h"
 #include "io/json/version.h"
+#include "io/picture/text_table.h"
 
 namespace coapt {
 namespace {

@@ -18,4 +18,8 @@ std::string doubt_about(const ClosureResult& closure) {
   return std::string("UNRELIABLE: ") + rest + (*rest && *crossing ? ", " : "") + crossing;
 }
 
+std::string closure_name(const ClosureResult& closure) {
+  return closure.crossing ? "crossing" : to_string(closure.status);
+}
+
 }  // namespace coapt

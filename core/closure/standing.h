@@ -11,4 +11,7 @@ namespace coapt {
 /// the header of an STL file has room for.
 std::string doubt_about(const ClosureResult& closure);
 
+/// "converged", "step_limit", "diverged", or "crossing" whatever else it is.
+std::string closure_name(const ClosureResult& closure);
+
 }  // namespace coapt

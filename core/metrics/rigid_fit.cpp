@@ -32,8 +32,9 @@ struct Pairs {
 
 class Rounds {
  public:
-  Rounds(const Points& points_mm, const SurfaceTree& surface)
-      : points_mm_(points_mm), surface_(surface), edge_(surface.faces()) {
+  Rounds(const Points& points_mm, const SurfaceTree& surface,
+         const std::function<bool()>& cancelled = {})
+      : points_mm_(points_mm), surface_(surface), edge_(surface.faces()), cancelled_(cancelled) {
     const Points& all = surface.vertices_mm();
     size_mm_ = std::max(1e-300, (all.colwise().maxCoeff() - all.colwise().minCoeff()).norm());
   }
@@ -42,7 +43,8 @@ class Rounds {
     SurfaceFit fit{start, 0.0, 0, false};
     Pairs pairs = pairs_at(start);
     int rises = 0;
-    while (fit.rounds < max_rounds && !fit.settled && rises < kMostRises) {
+    while (fit.rounds < max_rounds && !fit.settled && rises < kMostRises &&
+           !(cancelled_ && cancelled_())) {
       ++fit.rounds;
       RigidMotion step = towards_planes(pairs);
       Pairs next = pairs_at(composed(fit.motion, step));
@@ -126,6 +128,7 @@ class Rounds {
   const Points& points_mm_;
   const SurfaceTree& surface_;
   SurfaceEdge edge_;
+  const std::function<bool()> cancelled_;
   double size_mm_ = 1.0;
 };
 
@@ -212,11 +215,11 @@ SurfaceFit fit_to_surface(const Points& points_mm, const SurfaceTree& surface,
 }
 
 SurfaceFit fit_mesh_to_surface(const Points& vertices_mm, const Faces& faces,
-                               const SurfaceTree& surface) {
+                               const SurfaceTree& surface, const std::function<bool()>& cancelled) {
   constexpr Eigen::Index kTrialPoints = 300;
   constexpr int kTrialRounds = 30;
   const Points few = thinned(vertices_mm, kTrialPoints);
-  const Rounds trial(few, surface);
+  const Rounds trial(few, surface, cancelled);
   SurfaceFit best = trial.run({}, kTrialRounds);
   double bar = kBetter * best.rms_mm;
   const Axes ours = principal_axes(vertices_mm, faces);
@@ -229,7 +232,7 @@ SurfaceFit fit_mesh_to_surface(const Points& vertices_mm, const Faces& faces,
     best = other;
     bar = other.rms_mm;
   }
-  return fit_to_surface(vertices_mm, surface, best.motion);
+  return Rounds(vertices_mm, surface, cancelled).run(best.motion, kMostRounds);
 }
 
 }  // namespace coapt

@@ -7,6 +7,8 @@
 // pull (Turk and Levoy 1994): they may lie beyond it.
 #pragma once
 
+#include <functional>
+
 #include "core/metrics/surface_tree.h"
 
 namespace coapt {
@@ -35,13 +37,17 @@ struct SurfaceFit {
   bool settled = false;  ///< the last rounds moved hardly anything; else they ran out
 };
 
+inline constexpr int kMostRounds = 200;
+
 /// From `start` on. At least one point.
 SurfaceFit fit_to_surface(const Points& points_mm, const SurfaceTree& surface,
-                          const RigidMotion& start = {}, int max_rounds = 200);
+                          const RigidMotion& start = {}, int max_rounds = kMostRounds);
 
 /// From where the mesh lies and, because it may come from another frame of reference, also from principal axes laid over
 /// principal axes, in eight ways; those count only if their fit is better by a third.
+/// @param cancelled asked in each round; true ends it, not settled
 SurfaceFit fit_mesh_to_surface(const Points& vertices_mm, const Faces& faces,
-                               const SurfaceTree& surface);
+                               const SurfaceTree& surface,
+                               const std::function<bool()>& cancelled = {});
 
 }  // namespace coapt

@@ -162,7 +162,8 @@ std::vector<LeafletArea> leaflet_areas(const LeafletMesh& mesh) {
   return areas;
 }
 
-std::vector<bool> nodes_in_contact(const LeafletMesh& mesh, double distance_mm) {
+std::vector<bool> nodes_in_contact(const LeafletMesh& mesh, double distance_mm,
+                                   const std::function<bool()>& cancelled) {
   const Points& x = mesh.vertices_mm;
   const double neighbourhood_mm = 3.0 * distance_mm;
   std::vector<std::vector<int>> beside(static_cast<std::size_t>(x.rows()));
@@ -173,7 +174,7 @@ std::vector<bool> nodes_in_contact(const LeafletMesh& mesh, double distance_mm) 
   const SurfaceTree tree(x, mesh.faces);
   std::vector<double> way(beside.size(), neighbourhood_mm);
   std::vector<bool> contact;
-  for (int node = 0; node < x.rows(); ++node) {
+  for (int node = 0; node < x.rows() && !(cancelled && cancelled()); ++node) {
     // Dijkstra, as far as the neighbourhood goes.
     std::set<std::pair<double, int>> open = {{0.0, node}};
     std::vector<int> reached = {node};
@@ -204,7 +205,7 @@ std::vector<bool> nodes_in_contact(const LeafletMesh& mesh, double distance_mm) 
 }
 
 ShapeComparison compare_shapes(const LeafletMesh& closed, const LeafletMesh& reference,
-                               Alignment alignment) {
+                               Alignment alignment, const std::function<bool()>& cancelled) {
   ShapeComparison comparison;
   comparison.node_to_node = have_same_nodes(closed, reference);
   comparison.aligned =
@@ -216,7 +217,8 @@ ShapeComparison compare_shapes(const LeafletMesh& closed, const LeafletMesh& ref
         summary_of(lengths_of(moved(closed.vertices_mm, best) - reference.vertices_mm)).rms_mm;
     if (comparison.aligned) comparison.motion = best;
   } else if (comparison.aligned) {
-    const SurfaceFit fit = fit_mesh_to_surface(closed.vertices_mm, closed.faces, surface);
+    const SurfaceFit fit =
+        fit_mesh_to_surface(closed.vertices_mm, closed.faces, surface, cancelled);
     comparison.motion = fit.motion;
     comparison.settled = fit.settled;
   }

@@ -5,6 +5,7 @@
 // valve to the higher resolution, imaged valve"). Only nodes that some face has count.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,9 @@ std::vector<LeafletArea> leaflet_areas(const LeafletMesh& mesh);
 
 /// For each node, whether it is nearer than `distance_mm` to a face of another part of the surface: one none of whose
 /// corners can be reached from the node along edges within three times that distance.
-std::vector<bool> nodes_in_contact(const LeafletMesh& mesh, double distance_mm);
+/// @param cancelled asked at each node; true leaves the others out
+std::vector<bool> nodes_in_contact(const LeafletMesh& mesh, double distance_mm,
+                                   const std::function<bool()>& cancelled = {});
 
 enum class Alignment {
   Auto,  ///< none between the same nodes, else rigid
@@ -68,7 +71,9 @@ struct ShapeComparison {
 };
 
 /// Both without loose vertices and with finite coordinates.
+/// @param cancelled asked in each round of the alignment; true ends it, not settled
 ShapeComparison compare_shapes(const LeafletMesh& closed, const LeafletMesh& reference,
-                               Alignment alignment = Alignment::Auto);
+                               Alignment alignment = Alignment::Auto,
+                               const std::function<bool()>& cancelled = {});
 
 }  // namespace coapt

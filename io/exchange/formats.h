@@ -10,6 +10,7 @@
 
 #include "io/exchange/exported_valve.h"
 #include "io/image/image_geometry.h"
+#include "io/json/named_file.h"
 
 namespace coapt {
 
@@ -42,11 +43,6 @@ struct ExportOptions {
 /// Errors: a closure that flew apart has no closed shape; of a label map "/grid", a valve that does not lie in it.
 Expected<std::string> write_valve_file(const ClosedValve& closed, const FileFormat& format,
                                        const ExportOptions& options = {});
-
-struct NamedFile {
-  std::string name;
-  std::string bytes;
-};
 
 /// Of a folder those that not every valve has: left over from an earlier export they would be read with a later one.
 inline constexpr std::array<const char*, 4> kOptionalFiles = {

@@ -7,9 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "core/metrics/coaptation.h"
-#include "core/metrics/leaflet_sides.h"
 #include "core/valve/number_text.h"
+#include "core/valve/valve.h"
 #include "io/json/json_reader.h"
 #include "io/json/parse_json.h"
 #include "io/mesh/vtk.h"
@@ -194,16 +193,6 @@ Expected<LeafletMesh> read_scene_shape(std::string_view text) {
     return Error{ErrorCode::BadReference, "/faces",
                  "must name vertices from 0 to " + std::to_string(vertices_mm.rows() - 1)};
   return without_loose_vertices(in_pieces(vertices_mm, faces.cast<int>()));
-}
-
-LeafletMesh shape_of(const ClosedValve& closed) {
-  LeafletMesh mesh{closed.closure.closed_mm,
-                   closed.valve.faces,
-                   {to_string(Leaflet::Anterior), to_string(Leaflet::Posterior)},
-                   {}};
-  for (const Leaflet side : leaflet_sides(closed.valve))
-    mesh.leaflets.push_back(static_cast<int>(side));
-  return without_loose_vertices(mesh);
 }
 
 }  // namespace coapt

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/closed/closed_valve.h"
 #include "core/metrics/shape_comparison.h"
+#include "core/valve/problem_list.h"
 
 namespace coapt {
 
@@ -30,8 +30,5 @@ bool is_scene_text(std::string_view text);
 
 /// The closed state of a coapt.scene/2 (or /1) document.
 Expected<LeafletMesh> read_scene_shape(std::string_view text);
-
-/// The closed leaflets, anterior and posterior.
-LeafletMesh shape_of(const ClosedValve& closed);
 
 }  // namespace coapt

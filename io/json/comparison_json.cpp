@@ -16,7 +16,7 @@ Json shape_json(const ComparedShape& shape) {
     area_mm2 += leaflet_mm2;
   }
   const auto touching = std::count(shape.contact.begin(), shape.contact.end(), true);
-  return {
+  Json json = {
       {"source", shape.source},
       {"nodes", shape.mesh.vertices_mm.rows()},
       {"triangles", shape.mesh.faces.rows()},
@@ -24,6 +24,17 @@ Json shape_json(const ComparedShape& shape) {
       {"leaflets", std::move(leaflets)},
       {"contact_share", static_cast<double>(touching) /
                             static_cast<double>(std::max<std::size_t>(1, shape.contact.size()))}};
+  if (!shape.closure.empty()) json["closure"] = shape.closure;
+  if (!shape.doubt.empty()) json["doubt"] = shape.doubt;
+  return json;
+}
+
+template <class Matrix>
+Json rows_json(const Matrix& matrix) {
+  Json rows = Json::array();
+  for (Index i = 0; i < matrix.rows(); ++i)
+    rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2)});
+  return rows;
 }
 
 Json summary_json(const DistanceSummary& distance) {
@@ -66,6 +77,21 @@ Json comparison_to_json(const ShapeComparison& comparison, const ComparedShape& 
                        {"reference", shape_json(reference)}});
   if (comparison.node_to_node) json["rms_after_rigid_mm"] = comparison.rms_after_rigid_mm;
   return json;
+}
+
+Json to_json(const LeafletMesh& mesh) {
+  return {{"vertices_mm", rows_json(mesh.vertices_mm)},
+          {"faces", rows_json(mesh.faces)},
+          {"names", mesh.names},
+          {"leaflets", mesh.leaflets}};
+}
+
+Json compared_nodes_json(const ShapeComparison& comparison, const ComparedShape& closed) {
+  return {{"moved_mm", rows_json(comparison.moved_mm)},
+          {"signed_mm", comparison.signed_mm},
+          {"contact", closed.contact},
+          {"faces", rows_json(closed.mesh.faces)},
+          {"leaflets", closed.mesh.leaflets}};
 }
 
 }  // namespace coapt

@@ -19,6 +19,9 @@ Answer PostOperation::operator()(const Request& request) const {
       .limits = operation_limits(valves.limits),
       .valve_named = [this](const std::string& name) { return named_valve(valves, name); },
       .abandoned = request.abandoned};
+  context.surface_of = [&](const NamedFile& file, const ShapeFileOptions& options) {
+    return read_surface(imports, file, options, context.budget());
+  };
   OperationTask task;
   const auto read = [&](const Json& body) {
     Expected<OperationTask> asked = operation.read(body, context);

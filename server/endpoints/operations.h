@@ -3,6 +3,7 @@
 
 #include "operations/operation.h"
 #include "server/compute.h"
+#include "server/jobs/import_reading.h"
 #include "server/json_body.h"
 #include "server/route.h"
 
@@ -12,6 +13,7 @@ namespace coapt {
 struct PostOperation {
   Operation operation;
   ValveSource valves;
+  const ImportReader& imports;  ///< of files in requests
   Compute& compute;
   Answer operator()(const Request& request) const;
 };

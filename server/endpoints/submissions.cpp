@@ -10,6 +10,7 @@
 #include "server/content_id.h"
 #include "server/jobs/job_json.h"
 #include "server/jobs/study_request.h"
+#include "server/turns.h"
 
 namespace coapt {
 namespace {
@@ -110,6 +111,31 @@ Answer PostStudies::operator()(const Request& request) const {
           {{"valve", valve_field(submitting.valves, valve)}, {"study", into(study, read_study)}}))
     return *std::move(refused);
   return submit(submitting, request, {"study", valve, to_json(study)});
+}
+
+Answer SubmitOperation::operator()(const Request& request) const {
+  const ValveSource& valves = submitting.valves;
+  Context context{.limits = operation_limits(valves.limits),
+                  .valve_named = [&](const std::string& name) { return named_valve(valves, name); },
+                  .abandoned = request.abandoned};
+  context.surface_of = [&](const NamedFile& file, const ShapeFileOptions& options) {
+    return read_surface(imports, file, options, context.budget());
+  };
+  Valve valve;
+  Json kept;
+  const auto read = [&](const Json& body) {
+    const Expected<OperationTask> task = operation.read(body, context);
+    if (!task) return task.errors();
+    ProblemList problems;
+    valve_field(valves, valve)({body["valve"], problems});
+    kept = body;
+    return std::move(problems).take();
+  };
+  if (auto refused = read_body(valves, request.body, read)) return *std::move(refused);
+  kept["valve"] = "valve";  // the job's own, by whatever name
+  const std::string input = kept.dump();
+  return submit(submitting, request,
+                {operation.name, valve, {{"request", content_id(input)}}, input});
 }
 
 }  // namespace coapt

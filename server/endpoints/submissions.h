@@ -1,6 +1,8 @@
 // Work that takes longer than a request: it becomes a job.
 #pragma once
 
+#include "operations/operation.h"
+#include "server/jobs/import_reading.h"
 #include "server/jobs/job_board.h"
 #include "server/json_body.h"
 #include "server/route.h"
@@ -32,6 +34,14 @@ struct PostPlans {
 /// POST /v1/studies {"valve", "study"}: likewise.
 struct PostStudies {
   Submitting submitting;
+  Answer operator()(const Request& request) const;
+};
+
+/// POST of an operation that runs as a job: likewise. The job keeps the request until it has ended.
+struct SubmitOperation {
+  Operation operation;
+  Submitting submitting;
+  const ImportReader& imports;  ///< of files in requests
   Answer operator()(const Request& request) const;
 };
 

@@ -2,22 +2,18 @@
 
 #include <algorithm>
 
-#include "io/exchange/decisions_json.h"
+#include "io/json/base64.h"
 #include "io/json/fit_json.h"
 #include "io/json/parse_json.h"
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/fit_picture.h"
-#include "io/picture/text.h"
 #include "io/store/stored_valves.h"
-#include "server/base64.h"
 #include "server/content_id.h"
 #include "server/jobs/closure_keeping.h"
 
 namespace coapt {
 namespace {
-
-constexpr const char* kSurfaceName = "the closed surface";  // files have patients' names
 
 /// What is left of it in the document that a reader made: without files. None: none was asked for.
 Expected<std::optional<FitRequest>> fit_asked(const Json& document) {
@@ -30,46 +26,19 @@ Expected<std::optional<FitRequest>> fit_asked(const Json& document) {
   return std::move(request.fit);
 }
 
-/// As the request calls what the fit was given.
-Errors as_fit_calls(Errors errors) {
-  for (Error& error : errors)
-    error.path = error.path == "/points_mm"  ? "/fit/surface"
-                 : error.path == "/leak_mm2" ? "/fit/leak_mm2"
-                 : error.path == "/unknowns" ? "/fit/known"
-                                             : "/fit";
-  return errors;
-}
-
 std::optional<FitState> kept_state(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
   const Expected<Json> json = parse_json(*text);
   return json ? fit_state_from_json(*json) : std::nullopt;
 }
 
-ImportDecision fit_decision(const ValveFit& fit) {
-  int known = 0;
-  for (const FittedParameter& parameter : fit.parameters) known += parameter.identifiable ? 1 : 0;
-  std::string doubts;
-  for (const std::string& doubt : doubts_of(fit)) doubts += "; " + doubt;
-  return {"fit",
-          "adjusted so that the valve closes onto the given surface: distance " +
-              fixed(fit.rms_before_mm, 2) + " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
-          std::to_string(known) + " of " + std::to_string(fit.parameters.size()) +
-              " parameters are constrained by the surface; the others keep their uncertainty" +
-              (fit.stop == FitStop::AtRest ? "" : "; stopped before convergence") + doubts,
-          !doubts.empty()};
-}
-
-/// What a fit has made of an imported valve.
 struct Fitted {
-  Valve valve;
-  ImportDecision decision;
-  Json json;
+  FittedImport made;
   std::optional<JobFile> map;  ///< of a surface with faces
 };
 
 /// Kept round by round. Errors: those of the surface and of the fit; throws if the server stops.
-Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const FitRequest& asked,
+Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const FitTarget& asked,
                             const Valve& imported, const LeafletMesh& surface,
                             std::optional<FitState> from) {
   const MeasuredClosure measured{surface.vertices_mm, asked.side, asked.leak_mm2,
@@ -94,12 +63,10 @@ Expected<Fitted> fit_import(const ImportJob& work, RunningJob& job, const FitReq
   };
   const Expected<ValveFit> fit = fit_valve(imported, measured, options);
   if (work.board.stopping()) throw std::runtime_error(kJobStops);
-  if (!fit) return as_fit_calls(fit.errors());
-  Fitted fitted{fit->closed.valve, fit_decision(*fit),
-                fit_to_json(*fit, {job.job.valve, kSurfaceName, measured}), std::nullopt};
-  fitted.valve.provenance.push_back(fit_sentence(*fit, kSurfaceName));
+  if (!fit) return as_fit_fields(fit.errors(), "/fit", "/fit");
+  Fitted fitted{fitted_import(*fit, measured, job.job.valve), std::nullopt};
   if (surface.faces.rows() > 0)
-    fitted.map = {"fit.png", "image/png", fit_map_png(surface, *fit, asked.side, kSurfaceName)};
+    fitted.map = {"fit.png", "image/png", fit_map_png(surface, *fit, asked.side, kFittedSurface)};
   return fitted;
 }
 
@@ -133,11 +100,12 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   if (*asked) {
     const Expected<LeafletMesh> surface = surface_from(read.value("surface", Json()));
     if (!surface) return failed(job, surface.errors());
-    Expected<Fitted> fitted = fit_import(*this, job, **asked, made, *surface, std::move(from));
+    Expected<Fitted> fitted =
+        fit_import(*this, job, (*asked)->target, made, *surface, std::move(from));
     if (!fitted) return failed(job, fitted.errors());
-    made = std::move(fitted->valve);
-    fit = std::move(fitted->json);
-    imported->decisions.push_back(std::move(fitted->decision));
+    made = std::move(fitted->made.valve);
+    fit = std::move(fitted->made.json);
+    imported->decisions.push_back(std::move(fitted->made.decision));
     if (fitted->map) files.push_back(*std::move(fitted->map));
   }
   const std::string document = write_valve(made);
@@ -145,10 +113,7 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
   retried<bool>(board, job, [&] { return add_valve(store, id, document); });
   files.push_back({"valve.json", "application/json", document});
 
-  Json result = import_to_json(*imported);
-  result["valve"] = id;
-  result["imported"] = job.job.valve;
-  result["fit"] = std::move(fit);
+  const Json result = import_answer(*imported, made, std::move(fit));
   const bool cancelled = job.cancel_asked || job.job.cancel_requested;
   JobEnd end = ended(job, cancelled ? JobState::Cancelled : JobState::Succeeded);
   end.summary = Json{{"made", id}}.dump();

@@ -6,10 +6,11 @@
 
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/file_preview.h"
+#include "io/json/base64.h"
 #include "io/json/parse_json.h"
+#include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/import_picture.h"
-#include "server/base64.h"
 #include "server/form_body.h"
 #include "server/json_body.h"
 #include "server/turns.h"
@@ -85,6 +86,27 @@ Json all_of(const Rows& rows) {
   return std::vector<typename Rows::Scalar>(rows.data(), rows.data() + rows.size());
 }
 
+/// What surface_from() reads.
+Json surface_document(const LeafletMesh& surface) {
+  return {{"vertices_mm", all_of(surface.vertices_mm)},
+          {"faces", all_of(surface.faces)},
+          {"names", surface.names},
+          {"leaflets", surface.leaflets}};
+}
+
+Answer surface_answer(const Json& body) {
+  NamedFile file;
+  ShapeFileOptions options;
+  ProblemList problems;
+  read_fields({body, problems}, {{"file", into(file, read_file)},
+                                 {"leaflet_array", into(options.leaflets, read_string)},
+                                 {"displacement_array", into(options.displacement, read_string)}});
+  if (!problems.empty()) return problem(422, std::move(problems).take());
+  const Expected<LeafletMesh> surface = read_surface_file(file, options);
+  if (!surface) return problem(422, surface.errors());
+  return {200, surface_document(*surface)};
+}
+
 /// What import_from() reads.
 Json import_document(const ImportedValve& made) {
   return {{"valve", write_valve(made.valve)},     {"unit", to_string(made.unit)},
@@ -99,8 +121,7 @@ Json job_document(const Json& body, const ImportedValve& made, const LeafletMesh
   if (!surface) return document;
   document["fit"] = body["fit"];
   document["fit"].erase("surface");
-  document["surface"] = {{"vertices_mm", all_of(surface->vertices_mm)},
-                         {"faces", all_of(surface->faces)}};
+  document["surface"] = surface_document(*surface);
   return document;
 }
 
@@ -151,7 +172,7 @@ std::optional<Answer> valve_of(ImportStep step, const Json& body, const ServiceL
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const bool was_taken = step == ImportStep::Job;
   if (!was_taken)
-    if (const Errors errors = check_import(asked, limits); !errors.empty())
+    if (const Errors errors = check_import(asked, operation_limits(limits)); !errors.empty())
       return problem(422, errors);
   const Expected<ImportedValve> made = make_import(asked, budget);
   if (!made && budget.is_cancelled()) return std::nullopt;
@@ -181,6 +202,7 @@ std::optional<Answer> read_import(ImportStep step, std::string_view body,
   }
   const Expected<Json> json = parse_json(body, most_values(limits));
   if (!json) return problem(400, json.errors());
+  if (step == ImportStep::Surface) return surface_answer(*json);
   return step == ImportStep::Preview ? previews(*json, budget)
                                      : valve_of(step, *json, limits, budget);
 }
@@ -265,23 +287,35 @@ Expected<ImportedValve> import_from(const Json& document) {
   return made;
 }
 
+Expected<LeafletMesh> read_surface(const ImportReader& reader, const NamedFile& file,
+                                   const ShapeFileOptions& options, const ClosureBudget& budget) {
+  if (reader.apart == nullptr) return read_surface_file(file, options);
+  const Json body = {{"file", to_json(file)},
+                     {"leaflet_array", options.leaflets},
+                     {"displacement_array", options.displacement}};
+  const std::optional<Answer> answer =
+      reader(ImportStep::Surface, body.dump(), budget, reader.limits.request_seconds + 1.0);
+  if (!answer) return Error{ErrorCode::Busy, "", "took too long to read"};
+  const Json document = answer_document(*answer);
+  if (answer->status == 200) return surface_from(document);
+  return errors_from_json(document.value("problems", Json::array()));
+}
+
 Expected<LeafletMesh> surface_from(const Json& document) {
   ProblemList problems;
   std::vector<double> places;
   std::vector<int> corners;
-  read_fields({document, problems},
-              {{"vertices_mm",
-                into(places, [](const JsonPlace& list) { return read_list(list, read_number); })},
-               {"faces", into(corners, [](const JsonPlace& list) {
-                  return read_list(list, read_integer);
-                })}});
+  LeafletMesh surface;
+  read_fields({document, problems}, {{"vertices_mm", into(places, list_of(read_number))},
+                                     {"faces", into(corners, list_of(read_integer))},
+                                     {"names", into(surface.names, list_of(read_string))},
+                                     {"leaflets", into(surface.leaflets, list_of(read_integer))}});
   const auto vertices = static_cast<int>(places.size() / 3);
   if (places.size() % 3 != 0 || corners.size() % 3 != 0 ||
       std::any_of(corners.begin(), corners.end(),
                   [&](int corner) { return corner < 0 || corner >= vertices; }))
     problems.add(ErrorCode::BadTopology, "", "is not a mesh");
   if (!problems.empty()) return std::move(problems).take();
-  LeafletMesh surface;
   surface.vertices_mm = Eigen::Map<const Points>(places.data(), vertices, 3);
   surface.faces =
       Eigen::Map<const Faces>(corners.data(), static_cast<Index>(corners.size() / 3), 3);

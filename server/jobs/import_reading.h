@@ -6,8 +6,9 @@
 #include <string>
 
 #include "core/closure/closure_options.h"
+#include "operations/import_request.h"
+#include "operations/surface_file.h"
 #include "server/answer.h"
-#include "server/jobs/import_request.h"
 #include "server/limits.h"
 #include "server/reader_processes.h"
 
@@ -22,7 +23,9 @@ enum class ImportStep : char {
             ///< for its files, and "surface", what surface_from() reads
   Preview = 'p',  ///< {"files": what each holds}
   Form =
-      'f'  ///< of a Content-Type, a line break and a form of that type: the same as JSON (form_body.h)
+      'f',  ///< of a Content-Type, a line break and a form of that type: the same as JSON (form_body.h)
+  Surface =
+      'c'  ///< of a body of "file", "leaflet_array" and "displacement_array": what surface_from() reads
 };
 
 /// In this process. 200 with the document, or what is wrong with the body; none if it was cancelled.
@@ -50,7 +53,11 @@ Json answer_document(const Answer& answer);
 /// comes from, it is read as strictly as a client's.
 Expected<ImportedValve> import_from(const Json& document);
 
-/// In the valve's frame. Errors: it is no mesh.
+/// What read_surface_file() reads, in the reader's process. Errors: its own, or why the process has none.
+Expected<LeafletMesh> read_surface(const ImportReader& reader, const NamedFile& file,
+                                   const ShapeFileOptions& options, const ClosureBudget& budget);
+
+/// Errors: it is no mesh.
 Expected<LeafletMesh> surface_from(const Json& document);
 
 }  // namespace coapt

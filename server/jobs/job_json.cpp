@@ -18,6 +18,7 @@ Json links_json(const Job& job) {
     links["files"] = self + "/files";
     return links;
   }
+  if (job.kind != "plans" && job.kind != "study") return links;
   if (job.kind == "plans") {
     links["plans"] = self + "/plans";
     links["evaluations"] = self + "/evaluations.csv";

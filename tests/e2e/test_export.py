@@ -58,10 +58,7 @@ class Export(ProgramTest):
         said = self.run_ok("export", "human-normal", "--plan", plan, *files).stderr.splitlines()
         self.assertEqual(
             [line for line in said if "edge-to-edge" in line],
-            [
-                f"coapt: {outputs[1]}: this format does not store the edge-to-edge repair; a valve imported from the "
-                "file lacks it"
-            ],
+            ["coapt: export: .stl files do not store the edge-to-edge repair; a valve imported from one lacks it"],
         )
         self.assertEqual(self.run_ok("export", "human-normal", "-o", outputs[1]).stderr, "")
 

@@ -10,13 +10,16 @@ namespace coapt {
 inline constexpr std::string_view kKeptPlanPath = "/v1/kept-plans/kept";
 
 /// Requests with a body, which is what follows: POST, but for kKeptPlanPath. The byte is 'a' and the place in this list.
-inline constexpr std::array<std::string_view, 22> kBodyPaths = {
-    "/v1/valves",          "/v1/valves:validate", "/v1/closures",        "/v1/scenes",
-    "/v1/exports",         "/v1/pictures",        "/v1/evaluations",     "/v1/reports",
-    "/v1/plans",           "/v1/studies",         "/v1/jobs/job:cancel", "/v1/openings",
-    "/v1/kept-plans",      kKeptPlanPath,         "/v1/valves:import",   "/v1/imports",
-    "/v1/imports:preview", "/v1/diagnoses",       "/v1/physiology",      "/v1/preferences",
-    "/v1/information",     "/v1/valves:observe"};
+inline constexpr std::array<std::string_view, 26> kBodyPaths = {
+    "/v1/valves",         "/v1/valves:validate", "/v1/closures",
+    "/v1/scenes",         "/v1/exports",         "/v1/pictures",
+    "/v1/evaluations",    "/v1/reports",         "/v1/plans",
+    "/v1/studies",        "/v1/jobs/job:cancel", "/v1/openings",
+    "/v1/kept-plans",     kKeptPlanPath,         "/v1/valves:import",
+    "/v1/imports",        "/v1/imports:preview", "/v1/diagnoses",
+    "/v1/physiology",     "/v1/preferences",     "/v1/information",
+    "/v1/valves:observe", "/v1/comparisons",     "/v1/exports:files",
+    "/v1/fits",           "/v1/model-studies"};
 
 /// Forms to kFormPath: what follows is the body, its parts divided by kFormBoundary. Their byte comes after those of the paths above.
 inline constexpr std::string_view kFormPath = "/v1/valves:import", kFormBoundary = "X";

@@ -142,7 +142,11 @@ void write_requests(const std::filesystem::path& folder) {
       {{"cases", Json::array()}, {"answers", Json::array()}},
       {{"valve", kStoredValve}, {"draws", 2}},
       {{"valve", kStoredValve},
-       {"observed", {{"leak_mm2", {{"value", 50}, {"sd", 10}, {"source", "planimetry"}}}}}}};
+       {"observed", {{"leak_mm2", {{"value", 50}, {"sd", 10}, {"source", "planimetry"}}}}}},
+      {{"closed", {{"valve", kStoredValve}}}, {"reference", {{"file", import["leaflets"][0]}}}},
+      {{"valve", kStoredValve}, {"formats", {"vtk", "slicerheart"}}},
+      {{"valve", kStoredValve}, {"surface", {{"file", import["leaflets"][0]}}}, {"rounds", 1}},
+      {{"valve", kStoredValve}, {"draws", 1}}};
   char choice = 'a';
   for (const Json& body : bodies) {
     write(folder / std::string(1, choice), choice + body.dump());

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import json
 import os
-import pathlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .closures import Closure
-from .errors import BadDocument, NoSuchFile
+from .errors import BadDocument
 from .geometry import packed_geometry
+from .imports import packed
 from .leaflets import LocalLeaflets
-from .local_transport import engine_module, refusing
-from .meshes import Mesh, same_arrays
+from .local_transport import refusing
+from .meshes import Mesh, read_only, same_arrays
 
 if TYPE_CHECKING:
     import numpy
@@ -51,40 +52,45 @@ class Comparison:
     json: Mapping[str, Any] = field(repr=False)
     """The coapt.comparison/1."""
 
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> Comparison:
+        """Of an answer with nodes."""
+        told = {name: value for name, value in document.items() if name != "nodes"}
+        nodes = document["nodes"]
+        return cls(
+            told["rms_mm"],
+            told["p95_mm"],
+            told["max_mm"],
+            told["pairing"] == "node_to_node",
+            told["alignment"]["rigid"],
+            read_only(nodes["signed_mm"]),
+            read_only(nodes["moved_mm"]),
+            told,
+        )
+
     def __eq__(self, other: object) -> bool:
         alike = isinstance(other, Comparison) and self.json == other.json
         return alike and same_arrays(self, other, "signed_mm", "moved_mm")
 
 
-def _obj(source: Any) -> bytes:
-    """:raises BadDocument: it has no points and faces"""
+def shape_document(source: ShapeSource) -> dict[str, Any]:
+    """As requests take it.
+
+    :raises NoSuchFile, BadDocument: of what is no shape
+    """
+    if isinstance(source, Closure):
+        if isinstance(source._leaflets, LocalLeaflets):
+            with refusing():
+                return {"mesh": json.loads(source._leaflets.native.shape()), "source": source.valve}
+        source = source.leaflets()
+    if isinstance(source, (str, os.PathLike)):
+        return {"file": packed(source)}
     try:
-        packed = packed_geometry(source, "shape")
+        file = packed_geometry(source, "arrays")
     except TypeError:
-        packed = {"name": "none"}
-    if not packed["name"].endswith(".obj"):
+        file = {"name": "none"}
+    if not file["name"].endswith(".obj"):
         raise BadDocument(
             f"no shape: {type(source).__name__}; a closure, what has points and faces, or a file is needed"
         )
-    return str(packed["text"]).encode()
-
-
-def native_shape(source: ShapeSource) -> Any:
-    shapes = engine_module().Shape
-    if isinstance(source, Closure) and isinstance(source._leaflets, LocalLeaflets):
-        with refusing():
-            return shapes.of_closure(source._leaflets.native)
-    if isinstance(source, (Closure, Mesh)):
-        mesh = source.leaflets() if isinstance(source, Closure) else source
-        with refusing():
-            return shapes.of_arrays("arrays", mesh.vertices_mm, mesh.faces)
-    if not isinstance(source, (str, os.PathLike)):
-        with refusing():
-            return shapes.of_file("arrays", _obj(source), "obj")
-    file = pathlib.Path(source)
-    try:
-        content = file.read_bytes()
-    except OSError as error:
-        raise NoSuchFile(f"{source}: cannot be read: {error.strerror}") from error
-    with refusing():
-        return shapes.of_file(file.name, content, file.suffix.removeprefix(".").lower())
+    return {"file": file, "source": "arrays"}

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 
 from .asking import checked_threads, given, search_rules
 from .closures import Closure
-from .comparison import Comparison, ShapeSource, native_shape
+from .comparison import Comparison, ShapeSource
 from .errors import BadDocument
 from .files import GEOMETRY, Path, read_json
-from .fits import FitResult, Known
+from .fits import FitResult, Known, fit_target
 from .leaflets import local_closure
 from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
 from .native_valves import NativeValve
@@ -110,32 +110,6 @@ class Engine(CopiedAsItself, Service):
         with reading(f"{path} is no valve"):
             return LocalValve(self, engine_module().Valve.read(text, ""))
 
-    def compare(
-        self, closed: ShapeSource, reference: ShapeSource, *, align: Literal["auto", "none", "rigid"] = "auto"
-    ) -> Comparison:
-        """Measure the distance from a closed shape to a reference.
-
-        >>> coapt.engine().compare(closure, valve.close()).max_mm > 1
-        True
-
-        :param align: "rigid": by iterative closest point; "auto": only if the shapes do not share their nodes
-        :raises NoSuchFile, BadDocument, InvalidRequest: of what is no shape
-        """
-        shapes = [native_shape(one) for one in (closed, reference)]
-        with refusing():
-            native = engine_module().compare(*shapes, align)
-        told = json.loads(native.document)
-        return Comparison(
-            told["rms_mm"],
-            told["p95_mm"],
-            told["max_mm"],
-            told["pairing"] == "node_to_node",
-            told["alignment"]["rigid"],
-            native.signed_mm,
-            native.moved_mm,
-            told,
-        )
-
     def fit(
         self,
         valve: Valve,
@@ -165,23 +139,16 @@ class Engine(CopiedAsItself, Service):
         :param rounds: maximum number of rounds of each pass
         :param progress: called with the rounds done and the distance left, rms in mm
         """
-        native = self._read(valve).native
         with refusing():
-            fitted, told = with_threads_of_ones_own(
-                engine_module().fit,
-                native,
-                points_mm,
-                side,
-                leak_mm2,
-                leak_sd_mm2,
-                list(known),
-                points,
-                rounds,
-                ruptured,
-                self.threads,
-                progress,
-            )
-        return LocalValve(self, fitted), FitResult.from_json(json.loads(told))
+            points_document = json.loads(engine_module().points_document(points_mm))
+        surface = {"mesh": {"vertices_mm": points_document}, "source": "an array"}
+        target = fit_target(side, leak_mm2, leak_sd_mm2, known, ruptured, points, rounds)
+        request = {"valve": self._request_source(self._read(valve)), "surface": surface, "frame": "valve"} | target
+        with refusing():
+            answer = with_threads_of_ones_own(self._local.service.compute, "fit", encoded(request), progress)
+        told = json.loads(answer)
+        fitted = engine_module().Valve.read(json.dumps(told["fitted"]), "")
+        return LocalValve(self, fitted), FitResult.from_json(told)
 
     # What differs from a service.
 

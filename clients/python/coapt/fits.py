@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -14,6 +14,21 @@ from .stored import ImportDecision
 from .transport import Transport
 
 Known = Literal["slack", "tips", "prestretch", "hidden"]
+
+
+def fit_target(
+    side: Literal["atrial", "middle"],
+    leak_mm2: float | None,
+    leak_sd_mm2: float | None,
+    known: Iterable[Known],
+    ruptured: bool,
+    points: int | None,
+    rounds: int | None,
+) -> dict[str, Any]:
+    """Fields of a request for a fit."""
+    numbers = {"leak_mm2": leak_mm2, "leak_sd_mm2": leak_sd_mm2, "points": points, "rounds": rounds}
+    asked = {name: value for name, value in numbers.items() if value is not None}
+    return {"side": side, "known": list(known), "ruptured": ruptured} | asked
 
 
 @dataclass(frozen=True)
@@ -94,10 +109,10 @@ class FitResult(tables.Short):
     finished: bool
     """False: the fit was stopped before convergence."""
     json: Mapping[str, Any] = field(repr=False, compare=False)
-    """The whole of it, with the correlations."""
+    """The whole of it, with the correlations; of Engine.fit() and Service.fit_job() also the valve, "fitted"."""
 
     @classmethod
-    def from_json(cls, json: Mapping[str, Any]) -> FitResult:
+    def from_json(cls, json: Mapping[str, Any], transport: Transport | None = None, job_path: str = "") -> FitResult:
         names = FittedParameter.__dataclass_fields__
         parameters = tuple(FittedParameter(**{name: one[name] for name in names}) for one in json["parameters"])
         leak = json["leak_mm2"]

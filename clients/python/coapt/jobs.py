@@ -62,7 +62,7 @@ class Job(Generic[Result]):
 
     @property
     def kind(self) -> str:
-        """One of "plans", "study" and "import".
+        """One of "plans", "study", "import", "fit" and "model".
 
         >>> job.kind
         'plans'

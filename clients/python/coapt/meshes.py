@@ -46,6 +46,15 @@ class Picture:
         return f"Picture({len(self.png):,} bytes of PNG)"
 
 
+def read_only(numbers: Any) -> Any:
+    """An array of them where numpy is installed."""
+    if numpy is None:
+        return numbers
+    array = numpy.array(numbers, dtype=numpy.float64)
+    array.setflags(write=False)
+    return array
+
+
 def same_arrays(a: Any, b: Any, *names: str) -> bool:
     """Whether the arrays of these names have the same shapes and numbers."""
     if numpy is None:

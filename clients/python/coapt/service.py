@@ -8,16 +8,22 @@ from typing import Any, Literal
 
 from .asking import checked_threads, given, search_rules
 from .files import Path
-from .fits import Fit, ImportResult
-from .imports import files_to_import, packed_folder
+from .fits import Fit, FitResult, ImportResult, Known, fit_target
+from .imports import files_to_import, packed, packed_folder
 from .jobs import Job
 from .results import SearchResult, StudyResult
+from .short_work import repair_of
 from .sources import PlanSource, Valve
 from .stored_work import StoredWork, path_of
 from .transport import Transport
 
 Protocol = Literal["lookup-clamped", "lookup-extended", "closed", "optimum"]
 StudyName = Literal["annulus", "papillary", "ring", "approximation", "thesis"]
+
+
+def document_of(json: Any, *_: Any) -> Any:
+    """A result that is a document."""
+    return json
 
 
 class Service(StoredWork):
@@ -185,6 +191,65 @@ class Service(StoredWork):
         json = self._transport.request("POST", "/v1/imports", request, key).json()
         return Job(self._transport, json, ImportResult.from_json, self._patience_s)
 
+    def fit_job(
+        self,
+        valve: Valve,
+        surface: Path | Any,
+        *,
+        frame: Literal["patient", "valve"] | None = None,
+        side: Literal["atrial", "middle"] = "atrial",
+        leak_mm2: float | None = None,
+        leak_sd_mm2: float | None = None,
+        known: Iterable[Known] = (),
+        ruptured: bool = False,
+        points: int | None = None,
+        rounds: int | None = None,
+        idempotency_key: str | None = None,
+    ) -> Job[FitResult]:
+        """Fits chordae, papillary tips and tissue of a valve to its imaged closed leaflets; the fitted valve is json["fitted"] of the result.
+
+        >>> closed = client.close("porcine-1").leaflets()
+        >>> fit = client.fit_job("porcine-1", closed, side="middle", points=200, rounds=1).result()
+        >>> fit.rms_mm < 0.3, fit.json["fitted"]["schema"]
+        (True, 'coapt.valve/1')
+
+        :param surface: a mesh or points in memory, or a file: OBJ, PLY, STL, VTK, VTP, VTU, or points (CSV), in mm
+        :param frame: of the surface: that of the images (the default where the valve knows it), or the valve's own
+        :param side: surface of the leaflets that was imaged
+        :param leak_mm2: imaged leak, with standard deviation leak_sd_mm2
+        :param known: parameters that are not fitted
+        :param ruptured: estimate for each scallop whether its marginal chordae are ruptured
+        :param points: maximum number of surface points
+        :param rounds: maximum number of rounds of each pass
+        """
+        target = fit_target(side, leak_mm2, leak_sd_mm2, known, ruptured, points, rounds)
+        request = target | {"surface": {"file": packed(surface)}} | given(frame=frame)
+        json = self._submit("/v1/fits", valve, request, idempotency_key)
+        return Job(self._transport, json, FitResult.from_json, self._patience_s)
+
+    def model_job(
+        self,
+        valve: Valve,
+        plan: PlanSource | None = None,
+        *,
+        draws: int | None = None,
+        seed: int | None = None,
+        idempotency_key: str | None = None,
+    ) -> Job[dict[str, Any]]:
+        """Closes variants of tissue and chordae of a valve, optionally repaired by a plan (coapt.model_study/2): "leak" with its mean,
+        standard deviation and percentiles, and the Sobol indices of each of its "parameters".
+
+        >>> study = client.model_job("porcine-1", draws=4).result()
+        >>> study["schema"], study["draws"]
+        ('coapt.model_study/2', 4)
+
+        :param draws: number of variants (256)
+        :param seed: of the draws (1)
+        """
+        request = repair_of(plan, **given(draws=draws, seed=seed))
+        json = self._submit("/v1/model-studies", valve, request, idempotency_key)
+        return Job(self._transport, json, document_of, self._patience_s)
+
     def job(self, id: str) -> Job[Any]:
         """A job that was begun before.
 
@@ -202,8 +267,13 @@ class Service(StoredWork):
         yield from map(self._job, self._listed("/v1/jobs", "jobs", given(state=state)))
 
     def _job(self, json: Mapping[str, Any]) -> Job[Any]:
-        readers: dict[str, Any] = {"plans": SearchResult, "study": StudyResult, "import": ImportResult}
-        return Job(self._transport, json, readers[json["kind"]].from_json, self._patience_s)
+        readers: dict[str, Any] = {
+            "plans": SearchResult.from_json,
+            "study": StudyResult.from_json,
+            "import": ImportResult.from_json,
+            "fit": FitResult.from_json,
+        }
+        return Job(self._transport, json, readers.get(json["kind"], document_of), self._patience_s)
 
     def _submit(self, path: str, valve: Valve, request: Mapping[str, Any], key: str | None) -> Any:
         return self._ask(path, valve, request, {"Idempotency-Key": key or uuid.uuid4().hex}).json()

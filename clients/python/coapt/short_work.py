@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 from .asking import Asking, checked_threads, given
 from .closures import Closure
+from .comparison import Comparison, ShapeSource, shape_document
 from .leaflets import ServiceLeaflets
 from .meshes import Picture
 from .openings import Opening
@@ -178,6 +179,20 @@ class ShortWork(Asking):
         request = {**given(observed=observed), "forget": forget}
         seen: dict[str, Any] = self._ask("/v1/valves:observe", valve, request).json()
         return seen
+
+    def compare(
+        self, closed: ShapeSource, reference: ShapeSource, *, align: Literal["auto", "none", "rigid"] = "auto"
+    ) -> Comparison:
+        """Measures the distance from a closed shape to a reference.
+
+        >>> client.compare(client.close("human-normal"), client.close("human-normal")).rms_mm
+        0.0
+
+        :param align: "rigid": by iterative closest point; "auto": only if the shapes do not share their nodes
+        :raises NoSuchFile, BadDocument, InvalidRequest: of what is no shape
+        """
+        shapes = {"closed": shape_document(closed), "reference": shape_document(reference)}
+        return Comparison.from_json(self._post("/v1/comparisons", {**shapes, "align": align, "nodes": True}))
 
     def map(
         self,

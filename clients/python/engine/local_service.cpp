@@ -1,12 +1,17 @@
 #include "clients/python/engine/local_service.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "clients/python/engine/problems.h"
+#include "io/json/parse_json.h"
 #include "io/store/closure_store.h"
 #include "io/store/plan_store.h"
+#include "operations/operations.h"
+#include "operations/surface_file.h"
 #include "server/jobs/import_job.h"
+#include "server/jobs/operation_job.h"
 #include "server/jobs/plan_job.h"
 #include "server/jobs/study_job.h"
 #include "server/json_body.h"
@@ -68,10 +73,10 @@ LocalService::LocalService(const std::string& database, int threads)
   constexpr int kAsNice = 0;
   runner_ = std::make_unique<JobRunner>(
       board_,
-      std::map<std::string, JobWork>{
-          {"plans", PlanJob{board_, store_, limits_, retention_.plans}},
-          {"study", StudyJob{board_, store_, limits_, retention_.studies}},
-          {"import", ImportJob{board_, store_, {limits_}}}},
+      with_operations({{"plans", PlanJob{board_, store_, limits_, retention_.plans}},
+                       {"study", StudyJob{board_, store_, limits_, retention_.studies}},
+                       {"import", ImportJob{board_, store_, {limits_}}}},
+                      board_, store_, {limits_}),
       limits_.running_jobs, [](const Job&) {}, kAsNice);
 }
 
@@ -80,6 +85,21 @@ Answer LocalService::answer(Request request) const {
   if (!found.route) return found.refusal;
   request.parameters = found.parameters;
   return found.route->endpoint(request);
+}
+
+std::string LocalService::compute(const std::string& operation, const std::string& request,
+                                  Context& context) {
+  const std::vector<Operation> all = operations();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Operation& one) { return operation == one.name; });
+  context.limits.threads = limits_.threads;
+  context.surface_of = read_surface_file;
+  context.valve_named = [this](const std::string& name) {
+    return named_valve({store_, limits_, known_, parsing_}, name);
+  };
+  const OperationTask task = taken(found->read(taken(parse_json(request)), context));
+  context.start();
+  return std::get<Json>(taken(task.run(context))).dump();
 }
 
 LocalValve LocalService::named(const std::string& name) {

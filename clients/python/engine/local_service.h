@@ -5,6 +5,7 @@
 #include <string>
 
 #include "clients/python/engine/local_valve.h"
+#include "operations/operation.h"
 #include "server/jobs/closure_retention.h"
 #include "server/jobs/job_runner.h"
 #include "server/route.h"
@@ -26,6 +27,9 @@ class LocalService {
 
   /// From many threads at once.
   Answer answer(Request request) const;
+  /// What an operation answers to a request as JSON, without an endpoint: within `context`, whose valves, files and threads are
+  /// those of this service. Throws Problems.
+  std::string compute(const std::string& operation, const std::string& request, Context& context);
   /// A preset or a stored valve. Throws Problems at "/valve".
   LocalValve named(const std::string& name);
 

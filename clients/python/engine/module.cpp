@@ -104,15 +104,30 @@ class Interrupts {
   std::atomic<bool> came_ = false;
 };
 
-LocalFitted fitted(const LocalValve& valve, const LocalFit& asked, const py::object& progress) {
+/// What an operation of this name answers to a request; `progress` is called with rounds done and, of a fit, the distance left.
+/// Ctrl-C ends it with what there is by then.
+py::bytes computed(LocalService& service, const std::string& operation, const std::string& request,
+                   const py::object& progress) {
   Interrupts interrupts;
-  const auto tell = [&](int round, double rms_mm) {
-    const py::gil_scoped_acquire locked;
-    if (!progress.is_none()) progress(round, rms_mm);
-    return true;
+  double rms_mm = 0.0;
+  std::atomic<bool> interrupted = false;
+  Context context;
+  context.interrupted = &interrupted;
+  context.abandoned = [&] {
+    if (interrupts()) interrupted = true;
+    return false;
   };
-  const py::gil_scoped_release unlocked;
-  return fit_locally(valve, asked, tell, [&interrupts] { return interrupts(); });
+  context.distance = [&](double now_mm) { rms_mm = now_mm; };
+  context.progress = [&](int done, int) {
+    const py::gil_scoped_acquire locked;
+    if (!progress.is_none()) progress(done, rms_mm);
+  };
+  std::string answer;
+  {
+    const py::gil_scoped_release unlocked;
+    answer = service.compute(operation, request, context);
+  }
+  return py::bytes(answer);
 }
 
 py::object known(double number) {
@@ -201,6 +216,7 @@ void add_valves(py::module_& module) {
           },
           py::arg("path"), py::arg("open"))
       .def("document", &document_of, Unlocked())
+      .def("shape", &shape_document, Unlocked())
       .def("told", &told)
       .def_property_readonly("closed_mm",
                              [](const py::object& self) {
@@ -213,33 +229,6 @@ void add_valves(py::module_& module) {
 }
 
 void add_shapes(py::module_& module) {
-  py::class_<LocalShape>(module, "Shape")
-      .def_static("of_closure", [](const LocalClosure& closed) { return shape_of(closed); })
-      .def_static(
-          "of_arrays",
-          [](const std::string& source, const py::object& vertices_mm, const py::object& faces) {
-            return shape_of(source, points_of(vertices_mm, "/vertices_mm"),
-                            faces_of(faces, "/faces"));
-          })
-      .def_static("of_file",
-                  [](const std::string& source, const py::bytes& bytes, const std::string& format) {
-                    return shape_of_file(source, std::string_view(bytes), format);
-                  })
-      .def_property_readonly("vertices_mm", [](const py::object& self) {
-        return view(self.cast<const LocalShape&>().mesh.vertices_mm, self);
-      });
-  py::class_<LocalComparison>(module, "Comparison")
-      .def_readonly("document", &LocalComparison::document)
-      .def_property_readonly("moved_mm",
-                             [](const py::object& self) {
-                               return view(self.cast<const LocalComparison&>().moved_mm, self);
-                             })
-      .def_property_readonly("signed_mm", [](const py::object& self) {
-        const std::vector<double>& signed_mm = self.cast<const LocalComparison&>().signed_mm;
-        py::array_t<double> array(std::ssize(signed_mm), signed_mm.data(), self);
-        array.attr("setflags")(py::arg("write") = false);
-        return array;
-      });
   module.def(
       "read_mesh",
       [](const py::bytes& bytes, const std::string& format) {
@@ -256,23 +245,13 @@ void add_shapes(py::module_& module) {
                     format));
       },
       py::arg("vertices_mm"), py::arg("faces"), py::arg("format"));
-  module.def("compare", &compare_locally, py::arg("closed"), py::arg("reference"), py::arg("align"),
-             Unlocked());
-  module.def(
-      "fit",
-      [](const LocalValve& valve, const py::object& points_mm, const std::string& side,
-         std::optional<double> leak_mm2, std::optional<double> leak_sd_mm2,
-         const std::vector<std::string>& known, std::optional<int> points,
-         std::optional<int> rounds, bool ruptures, int threads, const py::object& progress) {
-        const LocalFitted found = fitted(valve,
-                                         {points_of(points_mm, "/points_mm"), side, leak_mm2,
-                                          leak_sd_mm2, known, points, rounds, ruptures, threads},
-                                         progress);
-        return py::make_tuple(found.valve, found.document);
-      },
-      py::arg("valve"), py::arg("points_mm"), py::arg("side"), py::arg("leak_mm2"),
-      py::arg("leak_sd_mm2"), py::arg("known"), py::arg("points"), py::arg("rounds"),
-      py::arg("ruptures"), py::arg("threads"), py::arg("progress"));
+  module.def("points_document", [](const py::object& points_mm) {
+    const Points points = points_of(points_mm, "/points_mm");
+    Json rows = Json::array();
+    for (Index i = 0; i < points.rows(); ++i)
+      rows.push_back({points(i, 0), points(i, 1), points(i, 2)});
+    return rows.dump();
+  });
 }
 
 PlanMerits merits_from(const py::dict& told) {
@@ -350,6 +329,14 @@ void add_service(py::module_& module) {
           "named",
           [](const OpenService& self, const std::string& name) { return self.get()->named(name); },
           py::arg("name"), Unlocked())
+      .def(
+          "compute",
+          [](const OpenService& self, const std::string& operation, const std::string& request,
+             const py::object& progress) {
+            const std::shared_ptr<LocalService> service = self.get();
+            return computed(*service, operation, request, progress);
+          },
+          py::arg("operation"), py::arg("request"), py::arg("progress"))
       .def(
           "request",
           [](const OpenService& self, std::string method, std::string path,

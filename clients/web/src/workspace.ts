@@ -21,7 +21,7 @@ export class Workspace {
   before: Scene | null = null
   after: Scene | null = null // of closedPlan; null if that has no steps or cannot be closed
   kept: KeptPlan[] = [] // newest last
-  jobs: Record<Job['kind'], string | null> = { plans: null, study: null, import: null } // that are looked at
+  jobs: Record<Job['kind'], string | null> = { plans: null, study: null, import: null, fit: null, model: null } // that are looked at
   story: StoryPlace | null = null // that is told
   answer_ms: number | null = null // from letting go to the answer, of the last closure
   problems: Problem[] = [] // what is said against the valve or closedPlan

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/closed/closed_shape.h"
 #include "io/exchange/formats.h"
 #include "io/json/scene_json.h"
 #include "tests/io/exchange/still_valve.h"

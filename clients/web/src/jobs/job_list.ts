@@ -13,7 +13,13 @@ import { valveOf } from './valves'
 import jobsStyle from './jobs.module.css'
 import parts from '../style/parts.module.css'
 
-const NAMES: Record<Job['kind'], string> = { plans: 'search', study: 'study', import: 'import' }
+const NAMES: Record<Job['kind'], string> = {
+  plans: 'search',
+  study: 'study',
+  import: 'import',
+  fit: 'fit',
+  model: 'study of variants',
+}
 
 export interface ListedJobs {
   kind: Job['kind']

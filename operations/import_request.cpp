@@ -1,13 +1,18 @@
-#include "server/jobs/import_request.h"
+#include "operations/import_request.h"
 
 #include "core/valve/patient_frame.h"
+#include "io/exchange/decisions_json.h"
 #include "io/exchange/slicerheart.h"
 #include "io/image/detached.h"
+#include "io/json/fit_json.h"
+#include "io/json/valve_json.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_readers.h"
 #include "io/mesh/skirt.h"
 #include "io/mesh/source_units.h"
-#include "server/base64.h"
+#include "io/picture/fit_picture.h"
+#include "io/picture/text.h"
+#include "io/store/sha256.h"
 
 namespace coapt {
 namespace {
@@ -31,11 +36,6 @@ std::vector<std::string> read_short_texts(const JsonPlace& place) {
 
 TissueReference read_state(const JsonPlace& place) {
   return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
-}
-
-MeasuredSide read_side(const JsonPlace& place) {
-  return read_choice(place, {"atrial", "middle"}).value_or(0) == 0 ? MeasuredSide::Atrial
-                                                                   : MeasuredSide::Middle;
 }
 
 auto whole(int min, int max) {
@@ -75,28 +75,11 @@ GivenLandmarks read_landmarks(const JsonPlace& place) {
   return seen;
 }
 
-void read_known(const JsonPlace& place, FitUnknowns& unknowns) {
-  read_array(place, [&](const JsonPlace& entry) {
-    bool* const kept[] = {&unknowns.slack, &unknowns.tips, &unknowns.prestretch, &unknowns.hidden};
-    if (const auto known = read_choice(entry, {"slack", "tips", "prestretch", "hidden"}))
-      *kept[*known] = false;
-  });
-}
-
-FitRequest read_fit(const JsonPlace& place) {
+FitRequest read_fit_request(const JsonPlace& place) {
   FitRequest fit;
-  FitUnknowns& unknowns = fit.options.unknowns;
-  read_fields(place,
-              {{"surface", into(fit.surface, read_file), false},
-               {"side", into(fit.side, read_side), false},
-               {"leak_mm2", into(fit.leak_mm2, number(0.0, 2000.0)), false},
-               {"leak_sd_mm2", into(fit.leak_sd_mm2, number(0.01, 1000.0)), false},
-               {"known", [&](const JsonPlace& known) { read_known(known, unknowns); }, false},
-               {"slack_sd", into(unknowns.slack_sd, number(0.001, 0.2)), false},
-               {"tip_sd_mm", into(unknowns.tip_sd_mm, number(0.01, 10.0)), false},
-               {"hidden_sd_mm", into(unknowns.hidden_sd_mm, number(0.01, 5.0)), false},
-               {"points", into(fit.options.most_points, whole(100, 10'000)), false},
-               {"rounds", into(fit.options.most_rounds, whole(1, 1000)), false}});
+  std::vector<JsonField> fields = fit_fields(fit.target);
+  fields.push_back({"surface", into(fit.surface, read_file), false});
+  read_fields(place, fields);
   return fit;
 }
 
@@ -133,25 +116,21 @@ Expected<std::optional<NamedFile>> whole_labels(const ImportRequest& asked) {
       NamedFile{asked.labels->name, attached(asked.labels->bytes, asked.voxels->bytes)});
 }
 
-}  // namespace
-
-NamedFile read_file(const JsonPlace& place) {
-  NamedFile file;
-  std::optional<std::string> text, base64;
-  read_fields(place, std::vector<JsonField>{{"name", into(file.name, read_string)},
-                                            {"text", into(text, read_string), false},
-                                            {"base64", into(base64, read_string), false}});
-  if (text.has_value() == base64.has_value()) {
-    add_problem(place, ErrorCode::MissingField, "must have either text or base64");
-  } else if (text) {
-    file.bytes = *std::move(text);
-  } else if (std::optional<std::string> bytes = decoded_base64(*base64)) {
-    file.bytes = *std::move(bytes);
-  } else {
-    add_problem(place, ErrorCode::OutOfRange, "base64 contains invalid characters");
-  }
-  return file;
+ImportDecision fit_decision(const ValveFit& fit) {
+  int known = 0;
+  for (const FittedParameter& parameter : fit.parameters) known += parameter.identifiable ? 1 : 0;
+  std::string doubts;
+  for (const std::string& doubt : doubts_of(fit)) doubts += "; " + doubt;
+  return {"fit",
+          "adjusted so that the valve closes onto the given surface: distance " +
+              fixed(fit.rms_before_mm, 2) + " mm rms before, " + fixed(fit.rms_mm, 2) + " mm after",
+          std::to_string(known) + " of " + std::to_string(fit.parameters.size()) +
+              " parameters are constrained by the surface; the others keep their uncertainty" +
+              (fit.stop == FitStop::AtRest ? "" : "; stopped before convergence") + doubts,
+          !doubts.empty()};
 }
+
+}  // namespace
 
 LengthUnit read_unit(const JsonPlace& place) {
   return read_name<LengthUnit>(
@@ -188,10 +167,12 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
           {"mirrored", into(options.mirrored, read_boolean), false}};
 }
 
-JsonField fit_field(ImportRequest& request) { return {"fit", into(request.fit, read_fit), false}; }
+JsonField fit_field(ImportRequest& request) {
+  return {"fit", into(request.fit, read_fit_request), false};
+}
 
 /// Either all of one kind of files or all of the other; chordae that were seen, or a seed of those to be drawn.
-Errors check_import(const ImportRequest& asked, const ServiceLimits& limits) {
+Errors check_import(const ImportRequest& asked, const OperationLimits& limits) {
   ProblemList problems;
   if (const int vertices = skirt_size(asked.options.triangles).vertices();
       vertices > limits.vertices)
@@ -291,6 +272,25 @@ Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedVa
   if (imported.valve.patient)
     surface.vertices_mm = from_patient(*imported.valve.patient, surface.vertices_mm);
   return surface;
+}
+
+FittedImport fitted_import(const ValveFit& fit, const MeasuredClosure& measured,
+                           const std::string& imported_id) {
+  FittedImport fitted{fit.closed.valve, fit_decision(fit),
+                      fit_to_json(fit, {imported_id, kFittedSurface, measured})};
+  fitted.valve.provenance.push_back(fit_sentence(fit, kFittedSurface));
+  return fitted;
+}
+
+std::string valve_id(const Valve& valve) { return sha256(write_valve(valve)); }
+
+Json import_answer(const ImportedValve& imported, const Valve& made, Json fit) {
+  Json answer = import_to_json(imported);
+  answer["valve"] = valve_id(made);
+  answer["imported"] = valve_id(imported.valve);
+  answer["fit"] = std::move(fit);
+  answer["made"] = Json::parse(write_valve(made));
+  return answer;
 }
 
 }  // namespace coapt

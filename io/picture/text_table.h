@@ -1,3 +1,4 @@
+// Tables for a terminal.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// The body of a request that asks for an import.
+// A request that asks for an import, and what is made of it.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,15 @@
 #include "core/metrics/shape_comparison.h"
 #include "io/exchange/import_files.h"
 #include "io/json/json_reader.h"
-#include "search/fit/fit.h"
-#include "server/limits.h"
+#include "operations/context.h"
+#include "operations/fit_request.h"
 
 namespace coapt {
 
 /// "fit": a closed surface that the imported valve is fitted to.
 struct FitRequest {
   std::optional<NamedFile> surface;  ///< none: the leaflets themselves, which were imaged closed
-  MeasuredSide side = MeasuredSide::Atrial;
-  std::optional<double> leak_mm2;
-  double leak_sd_mm2 = MeasuredClosure{}.leak_sd_mm2;
-  FitOptions options;
+  FitTarget target;
 };
 
 struct ImportRequest {
@@ -34,7 +31,6 @@ struct ImportRequest {
   std::optional<FitRequest> fit;
 };
 
-NamedFile read_file(const JsonPlace& place);
 LengthUnit read_unit(const JsonPlace& place);
 
 /// All but "fit". `request` must outlive them.
@@ -42,12 +38,30 @@ std::vector<JsonField> import_fields(ImportRequest& request);
 JsonField fit_field(ImportRequest& request);
 
 /// What goes together and what does not, and whether the service takes a valve of so many triangles.
-Errors check_import(const ImportRequest& request, const ServiceLimits& limits);
+Errors check_import(const ImportRequest& request, const OperationLimits& limits);
 
 /// Pointers of errors are those of the request; Busy if the budget was cancelled. @pre check_import() is empty.
 Expected<ImportedValve> make_import(const ImportRequest& request, const ClosureBudget& budget);
 
 /// The measured surface of request.fit in the valve's frame. Errors: "/fit/surface". @pre request.fit
 Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported);
+
+inline constexpr const char* kFittedSurface = "the closed surface";  // files have patients' names
+
+/// What a fit has made of an imported valve.
+struct FittedImport {
+  Valve valve;
+  ImportDecision decision;
+  Json json;  ///< coapt.fit/1
+};
+/// @param imported_id of the valve before
+FittedImport fitted_import(const ValveFit& fit, const MeasuredClosure& measured,
+                           const std::string& imported_id);
+
+/// coapt.import/2 with "valve" and "imported", their ids, "fit" (null without one) and "made", the valve.
+Json import_answer(const ImportedValve& imported, const Valve& made, Json fit);
+
+/// By which a valve is stored: of its document's bytes.
+std::string valve_id(const Valve& valve);
 
 }  // namespace coapt

@@ -1,4 +1,4 @@
-#include "clients/cli/print_table.h"
+#include "io/picture/text_table.h"
 
 #include <algorithm>
 #include <cmath>
