@@ -119,7 +119,8 @@ int run(const ExportArguments& arguments, const std::optional<Service>& service)
   }
   Json notes = answer->value("notes", Json::array());
   if (answer->contains("doubt")) notes.insert(notes.begin(), (*answer)["doubt"]);
-  for (const Json& note : notes) std::cerr << "coapt: export: " << printable(note.get<std::string>()) << '\n';
+  for (const Json& note : notes)
+    std::cerr << "coapt: export: " << printable(note.get<std::string>()) << '\n';
   return (*answer)["closure"] == "converged" ? exit_code::kOk : exit_code::kNotClosed;
 }
 
