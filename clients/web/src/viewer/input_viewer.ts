@@ -24,6 +24,7 @@ const COLOURS: Record<Role, string> = {
   anterior: TINTS.anterior,
   posterior: TINTS.posterior,
   labels: TINTS.anterior,
+  voxels: '#c3c9d1',
   surface: TINTS.surface,
   annulus: '#cdb7b0',
   chordae: '#cdb7b0',
