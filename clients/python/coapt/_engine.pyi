@@ -60,6 +60,7 @@ def order(
     acceptable: float,
     same_durability_mm: float,
     same_gradient_mmhg: float,
+    enough_durability_mm: float,
 ) -> list[tuple[int, int]]: ...
 
 class Stream:

@@ -71,6 +71,7 @@ def order_plans(
     acceptable: float = 0.95,
     same_durability_mm: float = 2.0,
     same_gradient_mmhg: float = 1.0,
+    enough_durability_mm: float = 6.5,
 ) -> list[Ordered]:
     """Best first, by the rule of the search: acceptable plans, of these plans without avoidable warnings, of equivalent plans the
     simplest.
@@ -85,7 +86,10 @@ def order_plans(
     :param acceptable: from that probability on a plan is
     :param same_durability_mm: within it of the longest of a class, plans last as long
     :param same_gradient_mmhg: within it of the least, or below what usual rings leave, gradients are alike
+    :param enough_durability_mm: from it on plans last as long, too
     """
     told = [{k: math.nan if v is None else v for k, v in dataclasses.asdict(plan).items()} for plan in plans]
-    places = engine_module().order(told, by_price, acceptable, same_durability_mm, same_gradient_mmhg)
+    places = engine_module().order(
+        told, by_price, acceptable, same_durability_mm, same_gradient_mmhg, enough_durability_mm
+    )
     return [Ordered(index, of_class) for index, of_class in places]

@@ -297,17 +297,18 @@ void add_spaces(py::module_& module) {
   module.def(
       "order",
       [](const std::vector<py::dict>& plans, bool by_price, double acceptable,
-         double same_durability_mm, double same_gradient_mmhg) {
+         double same_durability_mm, double same_gradient_mmhg, double enough_durability_mm) {
         std::vector<PlanMerits> merits;
         for (const py::dict& plan : plans) merits.push_back(merits_from(plan));
         std::vector<std::pair<int, int>> places;
         for (const PlanPlace& place :
-             order_of(merits, by_price, {acceptable, same_durability_mm, same_gradient_mmhg}))
+             order_of(merits, by_price,
+                      {acceptable, same_durability_mm, same_gradient_mmhg, enough_durability_mm}))
           places.emplace_back(place.index, place.of_class);
         return places;
       },
       py::arg("plans"), py::arg("by_price"), py::arg("acceptable"), py::arg("same_durability_mm"),
-      py::arg("same_gradient_mmhg"));
+      py::arg("same_gradient_mmhg"), py::arg("enough_durability_mm"));
 }
 
 void add_service(py::module_& module) {
