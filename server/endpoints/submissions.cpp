@@ -131,7 +131,7 @@ Answer SubmitOperation::operator()(const Request& request) const {
     kept = body;
     return std::move(problems).take();
   };
-  if (auto refused = read_body(valves, request.body, read)) return *std::move(refused);
+  if (auto refused = read_body(valves, request, read)) return *std::move(refused);
   kept["valve"] = "valve";  // the job's own, by whatever name
   const std::string input = kept.dump();
   return submit(submitting, request,
