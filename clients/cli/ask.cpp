@@ -118,12 +118,12 @@ int report_refusal(const std::string& command, const Errors& errors,
     const auto source = std::find_if(sources.rbegin(), sources.rend(), [&](const auto& part) {
       return error.path == part.first || error.path.starts_with(part.first + "/");
     });
-    if (source == sources.rend()) {
-      report_option_errors(command, {error}, options);
-    } else {
+    if (source != sources.rend()) {  // wrong input, whatever its reader calls it
       error.path.erase(0, source->first.size());
       report_errors(source->second, {error});
+      continue;
     }
+    report_option_errors(command, {error}, options);
     if (error.code == ErrorCode::InputOutput || error.code == ErrorCode::Busy ||
         error.code == ErrorCode::NoSpace)
       status = exit_code::kFailure;
