@@ -63,7 +63,11 @@ Errors no_operation(const std::string& name) {
 
 /// A document with line breaks, a file as it is.
 std::string printed(const OperationAnswer& answer) {
-  if (const auto* const document = std::get_if<Json>(&answer)) return document->dump(2) + '\n';
+  if (const auto* const document = std::get_if<Json>(&answer)) {
+    Json told = *document;
+    told["notice"] = kResearchNotice;
+    return told.dump(2) + '\n';
+  }
   const auto& file = std::get<AnswerFile>(answer);
   if (!file.name.empty() || !file.type.starts_with("application/json")) return file.bytes;
   return Json::parse(file.bytes, nullptr, false).dump(2) + '\n';

@@ -47,12 +47,14 @@ std::string reproduction_section(const PlanReport& report) {
     return "<tr><th scope=\"row\">" + name + "</th><td class=\"mono\">" + escape_html(value) +
            "</td></tr>\n";
   };
+  Json options = to_json(request.options);
+  options.erase("threads");  // the same plans on any number
   std::string html = "<div class=\"scroll\"><table class=\"facts\"><tbody>\n";
   if (!request.command.empty()) html += row("Command", request.command);
   html += row("Seed", std::to_string(request.options.seed)) +
           row("Version of coapt", std::string(version())) +
           row("Valve and closure (hash)", request.valve_hash) +
-          row("Options of the search", to_json(request.options).dump());
+          row("Options of the search", options.dump());
   if (!report.result.plans.empty()) {
     const RankedPlan& plan = report.result.plans[plan_in_front(report)];
     html += row("Plan " + std::to_string(plan.rank) + " as a file", to_json(plan.plan).dump());

@@ -78,7 +78,7 @@ class Segmentation:
             (found.min(), found.max() + 1) for found in (numpy.flatnonzero(inside.any(axis=rest)) for rest in _RESTS)
         ]
         steps_mm = numpy.linalg.norm((self.to_world @ self.ijk_to_local)[:3, :3], axis=0)  # along i, j, k
-        margins = numpy.ceil(MARGIN_MM / steps_mm).astype(int)
+        margins = numpy.ceil(MARGIN_MM / steps_mm - 1e-6).astype(int)  # the same on every machine
         low = numpy.array([corner[0] for corner in corners[::-1]]) - margins  # i, j, k
         size = numpy.array([corner[1] for corner in corners[::-1]]) + margins - low
         shift = numpy.eye(4)
