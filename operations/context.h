@@ -8,11 +8,11 @@
 #include <string>
 
 #include "core/closed/closed_valve.h"
+#include "core/metrics/shape_comparison.h"
 #include "core/opened/opened_valve.h"
 
 namespace coapt {
 
-struct LeafletMesh;
 struct NamedFile;
 struct SearchContext;
 struct SearchOptions;

@@ -85,9 +85,8 @@ RepairPlan with_trigones(const Valve& valve, RepairPlan plan, const SearchRules&
 std::optional<RepairPlan> with_shorter_ring(RepairPlan plan, const SearchRules& rules) {
   CatalogueRing* const ring = open_ring(plan, rules);
   if (ring == nullptr) return std::nullopt;
-  const auto* const shape =
-      std::find_if(kRingShapes.begin(), kRingShapes.end(),
-                   [&](const RingShape& one) { return one.name == ring->shape; });
+  const auto shape = std::find_if(kRingShapes.begin(), kRingShapes.end(),
+                                  [&](const RingShape& one) { return one.name == ring->shape; });
   if (shape == kRingShapes.end() || std::next(shape) == kRingShapes.end() ||
       is_forbidden(rules, "annuloplasty", std::string(std::next(shape)->name)))
     return std::nullopt;

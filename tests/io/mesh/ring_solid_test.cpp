@@ -11,7 +11,7 @@
 namespace coapt {
 namespace {
 
-Points circle(double radius_mm) {
+Points ring_line(double radius_mm) {
   Points contour(720, 3);
   for (int i = 0; i < 720; ++i) {
     const double t = 2.0 * std::numbers::pi * i / 720.0;
@@ -49,7 +49,7 @@ TEST(RingSolid, OfACircleHasTheVolumeOfPappus) {
   const double band = 0.8 * (2.8 - 1.2 * std::cos(half_angle));
   EXPECT_NEAR(area, cap_to_band + band, 0.02 * area);
   const double volume = 2.0 * std::numbers::pi * (15.0 * area + moment);
-  EXPECT_NEAR(enclosed_mm3(ring_solid(circle(15.0), section)), volume, 1e-3 * volume);
+  EXPECT_NEAR(enclosed_mm3(ring_solid(ring_line(15.0), section)), volume, 1e-3 * volume);
 }
 
 TEST(RingSolid, IsClosedWithItsNormalsOutwards) {
