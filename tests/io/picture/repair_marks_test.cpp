@@ -53,26 +53,25 @@ TEST(RepairMarks, OfNoRepairAreNone) {
   EXPECT_EQ(marks.annulus_before_mm.rows(), 0);
 }
 
-/// Pixels of the suture's purple or the neochorda's green, which nothing else has.
-long pixels(const std::string& png, bool purple) {
+/// The green of sutures and neochordae (palette::kAdded), which nothing else has.
+bool is_added(std::uint32_t pixel) {
+  const int red = pixel >> 16 & 0xFF, green = pixel >> 8 & 0xFF, blue = pixel & 0xFF;
+  return red < 0x20 && green > 0x78 && green < 0x9c && blue > 0x50 && blue < 0x70;
+}
+
+long added_pixels(const std::string& png) {
   const DecodedPng picture = decode_png(png);
-  return std::count_if(picture.pixels.begin(), picture.pixels.end(), [&](std::uint32_t pixel) {
-    const int red = pixel >> 16 & 0xFF, green = pixel >> 8 & 0xFF, blue = pixel & 0xFF;
-    return purple ? green < 0x30 && red > 0x60 && red < 0x90 && blue > 0x60 && blue < 0x90
-                  : red < 0x18 && green > 0x70 && green < 0x98 && blue > 0x60 && blue < 0x90;
-  });
+  return std::count_if(picture.pixels.begin(), picture.pixels.end(), is_added);
 }
 
 TEST(ClosurePicture, ShowsSuturesRingsAndNeochordaeOfARepairAndNothingElse) {
-  const std::string plain = closure_picture_png(marked(small_valve()));
-  EXPECT_EQ(pixels(plain, true), 0);
-  EXPECT_EQ(pixels(plain, false), 0);
+  EXPECT_EQ(added_pixels(closure_picture_png(marked(small_valve()))), 0);
   const auto picture = [](const RepairPlan& plan) {
     const Valve valve = repaired(plan);
     return closure_picture_png(marked(valve, repair_marks(small_valve(), valve, plan)));
   };
-  EXPECT_GT(pixels(picture(kSuture), true), 500) << "two views, legend";
-  EXPECT_GT(pixels(picture(kNeochorda), false), 200);
+  EXPECT_GT(added_pixels(picture(kSuture)), 500) << "two views, legend";
+  EXPECT_GT(added_pixels(picture(kNeochorda)), 200);
   EXPECT_NE(picture(kRing), closure_picture_png(marked(repaired(kRing))));
 }
 
@@ -84,9 +83,7 @@ TEST(ComparisonPicture, DrawsTheRepairInTheViewsOfAfterAlone) {
   long left = 0, right = 0;
   for (int y = 70; y < 980; ++y)  // the views, not the legend
     for (int x = 0; x < picture.width; ++x) {
-      const std::uint32_t pixel = picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
-      const int red = pixel >> 16 & 0xFF, green = pixel >> 8 & 0xFF, blue = pixel & 0xFF;
-      if (green < 0x30 && red > 0x60 && red < 0x90 && blue > 0x60 && blue < 0x90)
+      if (is_added(picture.pixels[static_cast<std::size_t>(y * picture.width + x)]))
         ++(x < picture.width / 2 ? left : right);
     }
   EXPECT_EQ(left, 0);
