@@ -136,7 +136,8 @@ TEST_F(JobResultsTest, ReportsOfASearchAreDrawnWhenTheyAreAskedForToTheSameBytes
                .files = {{"evaluations.csv", kCsvType, "number\n"}},
                .material = search_material(result, search_request())});
   const auto report = [&](int about) {
-    return plan_report_html({pictures.before, pictures.after, result, search_request(), about});
+    return plan_report_html(
+        {pictures.before, pictures.after, result, search_request(), about, today()});
   };
   const std::string all = report(0), second = report(2);
   EXPECT_TRUE(bytes_of(get("/v1/jobs/j/report")) == all);
