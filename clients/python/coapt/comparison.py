@@ -14,7 +14,7 @@ from .geometry import packed_geometry
 from .imports import packed
 from .leaflets import LocalLeaflets
 from .local_transport import refusing
-from .meshes import Mesh, read_only, same_arrays
+from .meshes import read_only, same_arrays
 
 if TYPE_CHECKING:
     import numpy

@@ -42,7 +42,8 @@ TEST(Guide, RanksAsTheRuleDoes) {
   EXPECT_LT(of(warned, 0.95), of(operation(1), 0.80)) << "acceptable before unwarned";
   EXPECT_LT(of(operation(4, 2)), of(warned)) << "unwarned before simple";
   EXPECT_LT(of(operation(3, 2)), of(operation(2, 1), 1.0, 8.5)) << "lasting before simple";
-  EXPECT_LT(of(operation(2, 1), 1.0, 5.5), of(operation(3, 2))) << "simple among those that last enough";
+  EXPECT_LT(of(operation(2, 1), 1.0, 5.5), of(operation(3, 2)))
+      << "simple among those that last enough";
   EXPECT_LT(of(operation(2)), of(operation(2, 1))) << "fewer muscles";
   EXPECT_LT(of(operation(2, 1)), of(free)) << "landmarks";
 }
