@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
+#include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
