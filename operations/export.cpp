@@ -92,16 +92,12 @@ struct ExportRequest {
   ExportOptions options{};
 };
 
-bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// What a user should know of files in these formats, a sentence each.
 Json notes_on(const ClosedValve& exported, const ExportRequest& asked) {
   Json notes = Json::array();
   double shift_mm = 0.0;
   for (const std::string& format : asked.formats) {
-    if (!is_one_of(format, {"vtk", "feb", kFolder})) continue;
+    if (format != "vtk" && format != "feb" && format != kFolder) continue;
     const bool open = asked.options.open || format == "feb";
     shift_mm = std::max(shift_mm,
                         attachment_shift_mm(exported.valve, open ? unstressed_shape(exported.valve)

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "io/json/base64.h"
 #include "io/json/plan_json.h"
 #include "io/picture/html.h"
 #include "io/picture/picture.h"
@@ -52,13 +53,13 @@ std::string drawn(const ReportPicture& picture, const ClosedValve& before,
                   const std::vector<ClosedValve>& after) {
   switch (picture.view) {
     case ReportPicture::View::Before:
-      return base64(closure_picture_png(before));
+      return encoded_base64(closure_picture_png(before));
     case ReportPicture::View::AtrialPair:
-      return base64(atrial_pair_png(before, after.at(picture.plan)));
+      return encoded_base64(atrial_pair_png(before, after.at(picture.plan)));
     case ReportPicture::View::SectionChange:
-      return base64(section_change_png(before, after.at(picture.plan)));
+      return encoded_base64(section_change_png(before, after.at(picture.plan)));
     case ReportPicture::View::After:
-      return base64(after_pair_png(after.at(picture.plan)));
+      return encoded_base64(after_pair_png(after.at(picture.plan)));
   }
   return "";
 }

@@ -41,6 +41,4 @@ std::string percent(double share);
 /// printable(), and safe in HTML text and quoted attributes.
 std::string escape_html(std::string_view text);
 
-std::string base64(std::string_view bytes);
-
 }  // namespace coapt

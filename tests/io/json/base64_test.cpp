@@ -7,9 +7,12 @@ namespace {
 
 /// RFC 4648, section 10.
 TEST(Base64, IsThatOfTheStandard) {
+  EXPECT_EQ(encoded_base64(""), "");
   EXPECT_EQ(encoded_base64("f"), "Zg==");
   EXPECT_EQ(encoded_base64("fo"), "Zm8=");
+  EXPECT_EQ(encoded_base64("foo"), "Zm9v");
   EXPECT_EQ(encoded_base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(encoded_base64("\xFF\xFE"), "//4=");
 }
 
 TEST(Base64, ComesBackAsItWas) {
