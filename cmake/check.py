@@ -12,6 +12,7 @@ import argparse
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import threading
@@ -25,6 +26,7 @@ from affected import ROOT, affected_rooms, changed_files, usual_base
 BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/", "words/")
 PRODUCT = ("core", "search", "io", "operations", "farm", "server", "clients")
 LAST_LINES = 60  # of what failed
+LONGEST_S = 2400  # of a phase that a change must pass: what hangs is ended and shown, before the check as a whole is
 NEEDED = {"packages", "release"}  # by all that comes later
 
 
@@ -162,7 +164,8 @@ def tests_run(log, begun):
 class Run:
     """Phases as they end. One that fails ends what cannot go without it, and no more: a check tells all that is wrong."""
 
-    def __init__(self):
+    def __init__(self, longest_s):
+        self.longest_s, self.running, self.stopped = longest_s, set(), False
         self.rows, self.endings, self.failed, self.printing = [], [], [], threading.Lock()
 
     def say(self, text):
@@ -175,11 +178,25 @@ class Run:
         begun, started = time.time(), time.monotonic()
         with log.open("w") as output:
             make = subprocess.Popen(
-                f"make {phase.make}", shell=True, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT
+                f"make {phase.make}",
+                shell=True,
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
             )
+            self.running.add(make.pid)
+            limit = threading.Timer(self.longest_s, os.killpg, (make.pid, signal.SIGKILL))
+            limit.start()
             _, status, used = os.wait4(make.pid, 0)
+            limit.cancel()
+            self.running.discard(make.pid)
             make.returncode = os.waitstatus_to_exitcode(status)
         text = log.read_text(errors="replace")
+        if make.returncode == -signal.SIGKILL:
+            text += (
+                f"\nended after {time.monotonic() - started:.0f} s, of {self.longest_s:.0f} s that a phase may take\n"
+            )
         row = (phase.name, time.monotonic() - started, used.ru_utime + used.ru_stime, tests_run(text, begun))
         self.rows.append(row)
         if make.returncode == 0:
@@ -191,12 +208,18 @@ class Run:
             )
             self.say(f"{text}\n{phase.name}: FAILED ({log})")
 
+    def stop(self):
+        self.stopped = True
+        for group in list(self.running):
+            os.killpg(group, signal.SIGTERM)
+
     def lane(self, phases):
         for phase in phases:
-            self.phase(phase)
+            if not self.stopped:
+                self.phase(phase)
 
     def stage(self, lanes):
-        threads = [threading.Thread(target=self.lane, args=(phases,)) for phases in lanes]
+        threads = [threading.Thread(target=self.lane, args=(phases,), daemon=True) for phases in lanes]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -229,11 +252,16 @@ def main():
     if left_out := [p.name for stage in plan for lane in stage for p in lane if not chosen(p)]:
         print(f"left out, because nothing that they are made of has changed: {' '.join(left_out)}")
 
-    run, started = Run(), time.monotonic()
-    for stage in plan:
-        run.stage([[phase for phase in lane if chosen(phase)] for lane in stage])
-        if NEEDED & set(run.failed):
-            break
+    run, started = Run(threading.TIMEOUT_MAX if arguments.nightly else LONGEST_S), time.monotonic()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        for stage in plan:
+            run.stage([[phase for phase in lane if chosen(phase)] for lane in stage])
+            if NEEDED & set(run.failed):
+                break
+    except KeyboardInterrupt:
+        run.stop()
+        return 130
     # Again, because a long output may be cut in front.
     for ending in run.endings:
         print(f"\n{ending}")
@@ -246,7 +274,7 @@ def main():
     )
     # Counts for whoever reads the last line alone.
     print(f"\nFAILED: {' '.join(run.failed)}" if run.failed else f"\n{tests} passed, 0 failed")
-    return bool(run.failed)
+    return int(bool(run.failed))
 
 
 if __name__ == "__main__":
