@@ -206,13 +206,6 @@ def challenges(rows):
     return expected
 
 
-@repeats(SEARCH, "| valve | first plan, both times | leak", "figures/ring-only.csv")
-def ring_only(rows):
-    known = by((row for row in rows if row["prices"] == "default"), "valve")
-    names = ("first plan", "leak_mm2", "opening_cm2", "gradient_mmhg", "durability_mm")
-    return lambda cells: dict(enumerate((known[(cells[0].strip("`"),)][name] for name in names), 1))
-
-
 METHODS = {
     "random search over plans": "random",
     "random search over variables": "random_variables",
