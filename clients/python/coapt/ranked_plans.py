@@ -194,7 +194,11 @@ class RankedPlan(tables.Short):
 
     @property
     def tolerance(self) -> tuple[Tolerance, ...]:
-        """Leak over the error of each step; of the first plan alone, empty without evidence."""
+        """Leak over the error of each step; of the first plan of a search alone, empty without evidence.
+
+        >>> best.tolerance  # of evaluate()
+        ()
+        """
         return tuple(map(Tolerance.from_json, self.json.get("tolerance", ())))
 
     def picture(self) -> Picture:
