@@ -76,10 +76,7 @@ std::vector<JsonField> fields_of(CloseRequest& asked) {
                 }),
            false},
           {"open", into(asked.open, read_boolean), false},
-          {"draws",
-           into(asked.draws,
-                [](const JsonPlace& place) { return read_integer_in(place, 0, kMostTissueDraws); }),
-           false}};
+          {"draws", into(asked.draws, integer_in(0, kMostTissueDraws)), false}};
 }
 
 /// What cannot be asked for together.

@@ -4,6 +4,7 @@
 
 #include "core/closed/closed_shape.h"
 #include "core/closure/standing.h"
+#include "core/metrics/coaptation.h"
 #include "core/valve/patient_frame.h"
 #include "io/json/comparison_json.h"
 #include "operations/given_shape.h"
@@ -13,8 +14,7 @@
 namespace coapt {
 namespace {
 
-constexpr double kSamePlace_mm = 30.0;        // of the middles of two shapes in one patient
-constexpr double kContactThicknesses = 1.25;  // as of coaptation (core/metrics/coaptation.h)
+constexpr double kSamePlace_mm = 30.0;  // of the middles of two shapes in one patient
 constexpr Range kContacts_mm = {0.001, 100.0};
 
 struct Shape {

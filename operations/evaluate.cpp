@@ -62,15 +62,13 @@ Errors read_asked(const Json& request, const Context& context, EvaluateRequest& 
   options.region_points = 1;
   options.fine_levels = 0;
   options.model_draws = 0;
-  const auto points = [](const JsonPlace& place) { return read_integer_in(place, 1, 1089); };
-  const auto draws = [](const JsonPlace& place) { return read_integer_in(place, 0, 200); };
   ProblemList problems;
   const std::vector<JsonField> fields = {
       {"valve", valve_field(context, asked.valve)},
       {"plans", into(asked.plans, read_plans)},
-      {"region_points", into(options.region_points, points), false},
+      {"region_points", into(options.region_points, integer_in(1, 1089)), false},
       {"evidence", into(options.evidence, read_boolean), false},
-      {"model_draws", into(options.model_draws, draws), false}};
+      {"model_draws", into(options.model_draws, integer_in(0, 200)), false}};
   read_fields({request, problems}, fields);
   if (!problems.empty()) return std::move(problems).take();
   const int drawn =

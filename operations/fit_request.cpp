@@ -5,14 +5,6 @@
 namespace coapt {
 namespace {
 
-auto whole(int min, int max) {
-  return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
-}
-
-auto number(double min, double max) {
-  return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
-}
-
 MeasuredSide read_measured_side(const JsonPlace& place) {
   return read_choice(place, {"atrial", "middle"}).value_or(0) == 0 ? MeasuredSide::Atrial
                                                                    : MeasuredSide::Middle;
@@ -31,14 +23,14 @@ void read_known(const JsonPlace& place, FitUnknowns& unknowns) {
 std::vector<JsonField> fit_fields(FitTarget& target) {
   FitUnknowns& unknowns = target.options.unknowns;
   return {{"side", into(target.side, read_measured_side), false},
-          {"leak_mm2", into(target.leak_mm2, number(0.0, 2000.0)), false},
-          {"leak_sd_mm2", into(target.leak_sd_mm2, number(0.01, 1000.0)), false},
+          {"leak_mm2", into(target.leak_mm2, number_in(0.0, 2000.0)), false},
+          {"leak_sd_mm2", into(target.leak_sd_mm2, number_in(0.01, 1000.0)), false},
           {"known", [&unknowns](const JsonPlace& known) { read_known(known, unknowns); }, false},
-          {"slack_sd", into(unknowns.slack_sd, number(0.001, 0.2)), false},
-          {"tip_sd_mm", into(unknowns.tip_sd_mm, number(0.01, 10.0)), false},
-          {"hidden_sd_mm", into(unknowns.hidden_sd_mm, number(0.01, 5.0)), false},
-          {"points", into(target.options.most_points, whole(100, 10'000)), false},
-          {"rounds", into(target.options.most_rounds, whole(1, 1000)), false}};
+          {"slack_sd", into(unknowns.slack_sd, number_in(0.001, 0.2)), false},
+          {"tip_sd_mm", into(unknowns.tip_sd_mm, number_in(0.01, 10.0)), false},
+          {"hidden_sd_mm", into(unknowns.hidden_sd_mm, number_in(0.01, 5.0)), false},
+          {"points", into(target.options.most_points, integer_in(100, 10'000)), false},
+          {"rounds", into(target.options.most_rounds, integer_in(1, 1000)), false}};
 }
 
 Errors as_fit_fields(Errors errors, const std::string& path, const std::string& valve) {

@@ -38,22 +38,14 @@ TissueReference read_state(const JsonPlace& place) {
   return read_name<TissueReference>(place, {TissueReference::Excised, TissueReference::InVivo});
 }
 
-auto whole(int min, int max) {
-  return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
-}
-
-auto number(double min, double max) {
-  return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
-}
-
 PatientAxes read_axes(const JsonPlace& place) {
   return read_name<PatientAxes>(place, {PatientAxes::LPS, PatientAxes::RAS});
 }
 
 /// One, or several that make a part.
 std::vector<int> read_labels_of_part(const JsonPlace& place) {
-  if (place.value.is_array()) return read_list(place, whole(1, 65535));
-  return {whole(1, 65535)(place)};
+  if (place.value.is_array()) return read_list(place, integer_in(1, 65535));
+  return {integer_in(1, 65535)(place)};
 }
 
 LabelNumbers read_label_numbers(const JsonPlace& place) {
@@ -144,22 +136,22 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
           {"labels", into(asked.labels, read_file), false},
           {"voxels", into(asked.voxels, read_file), false},
           {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
-          {"phase", into(asked.reading.phase, whole(1, kMostPhases)), false},
+          {"phase", into(asked.reading.phase, integer_in(1, kMostPhases)), false},
           {"frame", into(asked.reading.axes, read_axes), false},
           {"annulus", into(asked.annulus, read_file), false},
           {"chordae", into(asked.chordae, read_file), false},
-          {"chordae_seed", into(options.chordae_seed, whole(0, 2147483647)), false},
+          {"chordae_seed", into(options.chordae_seed, integer_in(0, 2147483647)), false},
           {"tips", into(asked.tips, read_file), false},
           {"landmarks", into(asked.landmarks, read_landmarks), false},
           {"closed", into(options.closed, read_boolean), false},
-          {"hidden_mm", into(options.hidden_mm, number(0.0, 15.0)), false},
+          {"hidden_mm", into(options.hidden_mm, number_in(0.0, 15.0)), false},
           {"slicerheart", into(asked.slicerheart, read_named_files), false},
           {"name", into(asked.name, read_short_text), false},
           {"provenance", into(asked.provenance, read_short_texts), false},
-          {"triangles", into(options.triangles, whole(100, 100'000)), false},
-          {"branches", into(options.branches, whole(1, 5)), false},
-          {"branch_at", into(options.branch_at, number(0.05, 0.95)), false},
-          {"slack", into(options.slack, number(0.8, 1.5)), false},
+          {"triangles", into(options.triangles, integer_in(100, 100'000)), false},
+          {"branches", into(options.branches, integer_in(1, 5)), false},
+          {"branch_at", into(options.branch_at, number_in(0.05, 0.95)), false},
+          {"slack", into(options.slack, number_in(0.8, 1.5)), false},
           {"reference", into(options.reference, read_state), false},
           {"units", into(options.units, read_unit), false},
           {"trust_labels", into(options.trust_labels, read_boolean), false},

@@ -25,13 +25,11 @@ Expected<OperationAnswer> inform(const InformationRequest& asked, Context& conte
 
 Expected<OperationTask> read_information(const Json& request, const Context& context) {
   const auto asked = std::make_shared<InformationRequest>();
-  const auto read_draws = [](const JsonPlace& place) {
-    return read_integer_in(place, 1, kMostDraws);
-  };
-  if (Errors errors = read_repair(request, context,
-                                  {{"draws", into(asked->study.draws, read_draws), false},
-                                   {"seed", into(asked->study.seed, read_unsigned), false}},
-                                  asked->repair);
+  if (Errors errors =
+          read_repair(request, context,
+                      {{"draws", into(asked->study.draws, integer_in(1, kMostDraws)), false},
+                       {"seed", into(asked->study.seed, read_unsigned), false}},
+                      asked->repair);
       !errors.empty())
     return errors;
   if (Errors errors = check_draws(asked->repair, asked->study.draws, context); !errors.empty())

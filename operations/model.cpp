@@ -33,14 +33,12 @@ Expected<OperationAnswer> study(const ModelRequest& asked, Context& context) {
 
 Expected<OperationTask> read_model(const Json& request, const Context& context) {
   const auto asked = std::make_shared<ModelRequest>();
-  const auto read_draws = [](const JsonPlace& place) {
-    return read_integer_in(place, 1, kMostDraws);
-  };
-  if (Errors errors = read_repair(request, context,
-                                  {{"draws", into(asked->study.draws, read_draws), false},
-                                   {"seed", into(asked->study.seed, read_unsigned), false},
-                                   {"files", into(asked->files, read_boolean), false}},
-                                  asked->repair);
+  if (Errors errors =
+          read_repair(request, context,
+                      {{"draws", into(asked->study.draws, integer_in(1, kMostDraws)), false},
+                       {"seed", into(asked->study.seed, read_unsigned), false},
+                       {"files", into(asked->files, read_boolean), false}},
+                      asked->repair);
       !errors.empty())
     return errors;
   return task_of(asked, draw_closures(asked->repair, asked->study.draws), study);

@@ -13,7 +13,7 @@ namespace {
 
 CoaptationOptions with_contact_distance(CoaptationOptions options, const Valve& valve) {
   if (options.contact_distance_mm == 0.0)
-    options.contact_distance_mm = 1.25 * valve.tissue.thickness_mm;
+    options.contact_distance_mm = kContactThicknesses * valve.tissue.thickness_mm;
   return options;
 }
 

@@ -14,9 +14,12 @@
 
 namespace coapt {
 
+/// Mid-surfaces of leaflets in contact are nearer than so many thicknesses: pressed together they rest
+/// at 0.85 to 1, and coarse meshes have facets.
+inline constexpr double kContactThicknesses = 1.25;
+
 struct CoaptationOptions {
-  /// Mid-surfaces nearer than this are in contact. 0: 1.25 x the tissue's thickness, since leaflets
-  /// pressed together rest at 0.85 to 1 times it, and coarse meshes have facets.
+  /// Mid-surfaces nearer than this are in contact. 0: kContactThicknesses x the tissue's thickness.
   double contact_distance_mm = 0.0;
   double sample_mm = 0.1;  ///< largest distance of points along a cut
 };

@@ -6,13 +6,12 @@
 #include <set>
 
 #include "core/closure/contact.h"
+#include "core/metrics/coaptation.h"
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/quantile.h"
 
 namespace coapt {
 namespace {
-
-constexpr double kContactReach = 1.25;  // thicknesses: as of coaptation.h
 
 std::array<Vec3, 3> corners(const Valve& valve, const Points& points, Index face) {
   return {points.row(valve.faces(face, 0)), points.row(valve.faces(face, 1)),
@@ -66,7 +65,7 @@ std::array<double, 2> principal_stretches(const std::array<Vec3, 3>& rest_mm,
 std::vector<LeafletMeasure> measure_leaflets(const Valve& valve, const Points& closed_mm,
                                              double contact_distance_mm) {
   const double reach_mm =
-      contact_distance_mm > 0.0 ? contact_distance_mm : kContactReach * valve.tissue.thickness_mm;
+      contact_distance_mm > 0.0 ? contact_distance_mm : kContactThicknesses * valve.tissue.thickness_mm;
   std::vector<int> leaflet_of;
   for (int f = 0; f < valve.faces.rows(); ++f) leaflet_of.push_back(leaflet_index(valve, f));
   const std::vector<bool> touches = touching(valve, closed_mm, reach_mm, leaflet_of);
@@ -95,7 +94,7 @@ double coaptation_area_index(const Valve& valve, const Points& closed_mm) {
   std::vector<int> side_of;
   for (const Leaflet side : leaflet_sides(valve)) side_of.push_back(static_cast<int>(side));
   const std::vector<bool> touches =
-      touching(valve, closed_mm, kContactReach * valve.tissue.thickness_mm, side_of);
+      touching(valve, closed_mm, kContactThicknesses * valve.tissue.thickness_mm, side_of);
   double contact_mm2 = 0.0, all_mm2 = 0.0;
   for (Index f = 0; f < valve.faces.rows(); ++f) {
     const double area_mm2 = area(corners(valve, closed_mm, f));

@@ -19,7 +19,7 @@ struct LeafletMeasure {
   double stretch_median = 1.0;  ///< largest principal stretch of its faces
 };
 
-/// In the order of leaflet_index(). `contact_distance_mm`: 0: 1.25 x Tissue::thickness_mm.
+/// In the order of leaflet_index(). `contact_distance_mm`: 0: kContactThicknesses x Tissue::thickness_mm.
 std::vector<LeafletMeasure> measure_leaflets(const Valve& valve, const Points& closed_mm,
                                              double contact_distance_mm = 0.0);
 

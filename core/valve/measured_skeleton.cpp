@@ -1,12 +1,12 @@
 #include "core/valve/measured_skeleton.h"
 
 #include "core/valve/problem_list.h"
+#include "core/valve/validate_parts.h"
 
 namespace coapt {
 namespace {
 
-constexpr Range kCircumferenceMm = {30.0, 400.0};  // as a valve's
-constexpr Range kDiameterMm = {8.0, 100.0};
+constexpr Range kAcrossMm = {8.0, 100.0};
 constexpr Range kTipDepthMm = {8.0, 60.0};  // as ParametricValve::tip_depth_mm
 constexpr double kTipAsideMm = 60.0;        // from the axis: beyond it there is no ventricle
 constexpr Index kMaxTips = 100;             // as many heads as a valve may have
@@ -30,7 +30,7 @@ Errors check_width(const Points& annulus_mm) {
   Errors errors;
   for (const int axis : {0, 1}) {
     const double width = annulus_mm.col(axis).maxCoeff() - annulus_mm.col(axis).minCoeff();
-    if (width >= kDiameterMm.min && width <= kDiameterMm.max) continue;
+    if (width >= kAcrossMm.min && width <= kAcrossMm.max) continue;
     errors.push_back({ErrorCode::BadGeometry, "/annulus_mm",
                       std::string("measures ") + shown(width) + " mm " +
                           (axis == 0 ? "along" : "across") +

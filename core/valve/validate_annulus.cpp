@@ -7,7 +7,6 @@ namespace coapt {
 namespace {
 
 constexpr std::size_t kMinAnnulus = 6;  // room for six landmarks
-constexpr Range kCircumferenceMm = {30.0, 400.0};
 // Dilation and rings move the centroid by millimetres and the frame stays; scanner coordinates are
 // off by hundreds.
 constexpr double kMaxCentroidMm = 15.0;

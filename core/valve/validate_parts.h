@@ -12,6 +12,7 @@ namespace coapt {
 
 /// Wide enough for any valve, narrow enough to catch a wrong unit.
 inline constexpr Range kCoordinateMm = {-500.0, 500.0};
+inline constexpr Range kCircumferenceMm = {30.0, 400.0};  // of an annulus
 
 struct MeshCheck {
   bool vertices_usable = false;  ///< a sensible number of them, all of them finite

@@ -84,6 +84,13 @@ inline constexpr int kNoInteger = std::numeric_limits<int>::min();
 /// Stand-in kNoInteger. 3.0 is no integer.
 int read_integer(const JsonPlace& place);
 int read_integer_in(const JsonPlace& place, int min, int max);
+/// Readers of fields with a range.
+inline auto number_in(double min, double max) {
+  return [=](const JsonPlace& place) { return read_number_in(place, {min, max}); };
+}
+inline auto integer_in(int min, int max) {
+  return [=](const JsonPlace& place) { return read_integer_in(place, min, max); };
+}
 std::uint64_t read_unsigned(const JsonPlace& place);
 bool read_boolean(const JsonPlace& place);
 std::string read_string(const JsonPlace& place);

@@ -70,10 +70,7 @@ std::vector<JsonField> opening_fields(OpeningOptions& options) {
 }
 
 JsonField frames_field(int& frames) {
-  return {
-      "frames",
-      into(frames, [](const JsonPlace& place) { return read_integer_in(place, 0, kMostFrames); }),
-      false};
+  return {"frames", into(frames, integer_in(0, kMostFrames)), false};
 }
 
 Json closure_answer(const RepairRequest& asked, const ClosureResult& closure,

@@ -29,7 +29,7 @@ const Eye kFromBehind{Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY()};
 const Eye kSection{-Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitX()};  // anterior left
 
 /// Where the four drawings lie, all at one scale.
-struct Sheet {
+struct PictureSheet {
   double pixels_per_mm = 1.0, upper = 0.0, lower = 0.0;  // heights of the rows
   Eigen::AlignedBox3d extent;
 
@@ -44,8 +44,8 @@ struct Sheet {
   }
 };
 
-Sheet sheet_for(const ImportedValve& imported) {
-  Sheet sheet;
+PictureSheet sheet_for(const ImportedValve& imported) {
+  PictureSheet sheet;
   const auto hold = [&](const Points& points) {
     for (const auto point : points.rowwise()) sheet.extent.extend(Vec3(point.transpose()));
   };
@@ -167,7 +167,7 @@ Points loop_of(const Valve& valve) {
   return loop;
 }
 
-void draw_views(const Canvas& canvas, const Sheet& sheet, const ImportedValve& imported) {
+void draw_views(const Canvas& canvas, const PictureSheet& sheet, const ImportedValve& imported) {
   const Valve& valve = imported.valve;
   const std::vector<TintedMesh> given = given_meshes(imported.input), made = {made_mesh(valve)};
   const std::vector<Stroke> cords = given_chordae(imported.input), chordae = made_chordae(valve);
@@ -208,7 +208,7 @@ void draw_cut(const Drawing& drawing, const Points& points_mm, const Faces& face
 }
 
 /// Cut at x = 0: what was given broad and pale, the valve over it.
-void draw_middle(const Canvas& canvas, const Sheet& sheet, const ImportedValve& imported) {
+void draw_middle(const Canvas& canvas, const PictureSheet& sheet, const ImportedValve& imported) {
   const Box box = sheet.box(2, 1);
   const Drawing drawing{canvas, kSection, sheet.map(box, kSection)};
   for (const TriangleMesh& mesh : imported.input.leaflets)
@@ -223,7 +223,7 @@ void draw_middle(const Canvas& canvas, const Sheet& sheet, const ImportedValve& 
 }
 
 /// Closed leaflets lie off open ones: they are shown with the landmarks that were found.
-void draw_landmarks_on_given(const Canvas& canvas, const Sheet& sheet,
+void draw_landmarks_on_given(const Canvas& canvas, const PictureSheet& sheet,
                              const ImportedValve& imported) {
   const Box box = sheet.box(2, 0);
   const Drawing drawing{canvas, kFromAtrium, sheet.map(box, kFromAtrium)};
@@ -234,7 +234,7 @@ void draw_landmarks_on_given(const Canvas& canvas, const Sheet& sheet,
 }
 
 /// The valve from the atrium by how far its vertices lie from what was given.
-std::string draw_distances(const Canvas& canvas, const Sheet& sheet,
+std::string draw_distances(const Canvas& canvas, const PictureSheet& sheet,
                            const ImportedValve& imported) {
   const Valve& valve = imported.valve;
   const Box box = sheet.box(2, 0);
@@ -266,7 +266,7 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
   fill_box(canvas, {0.0, 0.0, kImportWidth, kImportHeight}, palette::kPaper);
   draw_text(canvas, {kEdge, 38.0}, title, {22.0, palette::kInk, Align::Left, true},
             kImportWidth - 2.0 * kEdge);
-  const Sheet sheet = sheet_for(imported);
+  const PictureSheet sheet = sheet_for(imported);
   draw_views(canvas, sheet, imported);
   std::string third = "Input, closed, with the detected landmarks";
   if (imported.input.closed)

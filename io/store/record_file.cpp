@@ -11,7 +11,7 @@
 namespace coapt {
 namespace {
 
-constexpr std::string_view kMagic = "coapt.records/1";  // with a blank, 32 digits: 48 bytes
+constexpr std::string_view kRecordMagic = "coapt.records/1";  // with a blank, 32 digits: 48 bytes
 
 Error system_problem(const std::string& path, const std::string& problem) {
   return {ErrorCode::InputOutput, "", path + ": " + problem + ": " + std::strerror(errno)};
@@ -24,7 +24,7 @@ RecordFile::RecordFile(std::string path, std::string records, std::FILE* file)
 
 Expected<RecordFile> RecordFile::open(const std::string& path, const std::string& id,
                                       std::size_t record_size) {
-  const std::string head = std::string(kMagic) + ' ' + id;
+  const std::string head = std::string(kRecordMagic) + ' ' + id;
   std::string bytes;
   if (std::ifstream in(path, std::ios::binary); in)
     bytes.assign(std::istreambuf_iterator<char>(in), {});

@@ -12,7 +12,7 @@ namespace {
 using NodeClosures = std::vector<const PlanClosure*>;
 
 /// One valve, repaired or not, closed in all the ways that say something of its figures.
-struct Known {
+struct Measured {
   const ValveMeasure& measure;
   PlanClosure own;  ///< as a search closes it
   int triangles = 0;
@@ -42,14 +42,14 @@ std::optional<Interval> changed(const NodeClosures& closures, double PlanClosure
   return sampled_interval(values);
 }
 
-Estimate with_spread(Estimate estimate, const Known& known, double PlanClosure::*figure) {
+Estimate with_spread(Estimate estimate, const Measured& known, double PlanClosure::*figure) {
   if (!trusted(known.own)) return estimate;
   estimate.tissue = changed(known.draws, figure, known.own, estimate.value);
   estimate.execution = changed(known.region, figure, known.own, estimate.value);
   return estimate;
 }
 
-Estimate leak(const Known& known) {
+Estimate leak(const Measured& known) {
   const ValveMeasure& measure = known.measure;
   Estimate leak{measure.leak.area_mm2,
                 area_interval(measure.leak.area_mm2, measure.leak_error_mm2)};
@@ -60,7 +60,7 @@ Estimate leak(const Known& known) {
   return with_spread(leak, known, &PlanClosure::leak_mm2);
 }
 
-Estimate closed(const Known& known, Figure of, double PlanClosure::*figure) {
+Estimate closed(const Measured& known, Figure of, double PlanClosure::*figure) {
   Estimate estimate{known.own.*figure};
   if (known.finer != nullptr)
     estimate.numerical = figure_interval(of, known.finer->*figure, known.finer_triangles);
@@ -69,13 +69,13 @@ Estimate closed(const Known& known, Figure of, double PlanClosure::*figure) {
   return with_spread(estimate, known, figure);
 }
 
-Estimate opened(const Known& known, Figure of, double OpeningMeasure::*figure) {
+Estimate opened(const Measured& known, Figure of, double OpeningMeasure::*figure) {
   if (!known.opening || !trusted(*known.opening)) return {};
   const double value = known.opening->measure.*figure;
   return {value, figure_interval(of, value, known.triangles)};
 }
 
-PlanEstimates estimates_of(const Known& known) {
+PlanEstimates estimates_of(const Measured& known) {
   return {.leak_mm2 = leak(known),
           .coaptation_mm = closed(known, Figure::Coaptation, &PlanClosure::coaptation_mm),
           .tension_max_n = closed(known, Figure::Tension, &PlanClosure::tension_max_n),
@@ -88,11 +88,11 @@ PlanEstimates estimates_of(const Known& known) {
 PlanEstimates plan_estimates(const PlanEvaluations& evaluations, const PlanRecord& plan,
                              const ValveMeasure& measure, int nodes, const FineClosures& fine,
                              const ModelClosures& model) {
-  Known known{.measure = measure,
-              .own = plan.closures.at(0),
-              .triangles = triangles_of(evaluations),
-              .finer_triangles = fine.mesh.triangles,
-              .opening = plan.opening};
+  Measured known{.measure = measure,
+                 .own = plan.closures.at(0),
+                 .triangles = triangles_of(evaluations),
+                 .finer_triangles = fine.mesh.triangles,
+                 .opening = plan.opening};
   if (const auto finer = fine.plans.find(&plan);
       finer != fine.plans.end() && trusted(finer->second))
     known.finer = &finer->second;
@@ -108,11 +108,11 @@ PlanEstimates plan_estimates(const PlanEvaluations& evaluations, const PlanRecor
 PlanEstimates estimates_before(const PlanEvaluations& evaluations, const ValveMeasure& measure,
                                const std::optional<PlanOpening>& opening, const FineMesh& fine,
                                const ModelClosures& model) {
-  Known known{.measure = measure,
-              .own = plan_closure(evaluations.before()),
-              .triangles = triangles_of(evaluations),
-              .finer_triangles = fine.triangles,
-              .opening = opening};
+  Measured known{.measure = measure,
+                 .own = plan_closure(evaluations.before()),
+                 .triangles = triangles_of(evaluations),
+                 .finer_triangles = fine.triangles,
+                 .opening = opening};
   if (fine.before && trusted(*fine.before)) known.finer = &*fine.before;
   if (!model.contradicts) known.draws = addresses(model.before);
   return estimates_of(known);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clients/python/engine/shapes.h"
+#include "core/metrics/coaptation.h"
 #include "core/metrics/loads.h"
 
 namespace py = pybind11;

@@ -9,9 +9,6 @@
 
 namespace coapt {
 
-/// Within so many thicknesses leaflets touch, as those that coapt (core/metrics/coaptation.h).
-inline constexpr double kContactThicknesses = 1.25;
-
 /// The closed leaflets as requests take a mesh. Throws Problems: it diverged.
 std::string shape_document(const LocalClosure& closed);
 

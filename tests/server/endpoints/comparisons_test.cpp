@@ -24,7 +24,7 @@ TEST_F(ComparisonsTest, ASheetLiesAsFarFromAnotherAsItWasMoved) {
   EXPECT_EQ(found["schema"], "coapt.comparison/1");
   EXPECT_DOUBLE_EQ(found["rms_mm"], 0.5);
   EXPECT_DOUBLE_EQ(found["mean_signed_mm"], 0.5);
-  EXPECT_DOUBLE_EQ(found["rms_after_rigid_mm"], 0.0);
+  EXPECT_NEAR(found["rms_after_rigid_mm"], 0.0, 1e-12);
   EXPECT_EQ(found["closed"]["source"], "mesh");
   EXPECT_EQ(found["reference"]["source"], "flat.obj");
   EXPECT_EQ(found["nodes"]["signed_mm"], Json({0.5, 0.5, 0.5}));
