@@ -26,8 +26,8 @@ TEST(OptimalAnchorIsTheTrigone, OrCannotBeToldFromTheFirstPlansInASearch) {
     change.ap_dilation_percent = 15.0;
     change.posteromedial_mm = displaced_mm;
     SearchOptions options;
-    options.evaluations = 80;
-    options.plans = 5;
+    options.evaluations = 40;
+    options.plans = 3;
     options.openings = false;
     options.region_points = 9;
     options.fine_levels = options.model_draws = 0;
