@@ -12,7 +12,8 @@ namespace coapt {
 namespace {
 
 constexpr int kAngles = 72;
-constexpr int kWidestGap = 6;  // angles without a voxel: 30 degrees
+constexpr int kWidestGap = 12;  // angles without a voxel: 60 degrees, as of contours
+constexpr int kNoisyGap = 3;    // of a thin ring on coarse voxels: 15 degrees
 constexpr Index kLeastVoxels = 36;
 // A band of 28 mm2 about 130 mm, in voxels of 0.15 mm: 1.1 million. Each takes 100 bytes.
 constexpr Index kMostRingVoxels = 2'000'000;
@@ -33,6 +34,10 @@ Points centres(const LabelMap& map, const LabelVoxels& voxels, const LabelBox& b
               map.centre_mm(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
   return points;
 }
+
+struct Gap {
+  int angles = 0, end = 0;
+};
 
 struct Ring {
   Points line = Points::Zero(kAngles, 3);  ///< in the axes of the plane, about the middle
@@ -68,19 +73,19 @@ Ring sorted(const Points& points) {
   return ring;
 }
 
-/// Angles without a voxel between those that have one. @return the longest run of them
-int bridge(Ring& ring) {
+/// Angles without a voxel between those that have one. @return the longest run of them, and the angle after it
+Gap bridge(Ring& ring) {
   const auto has = [&](int a) {
     return ring.count[static_cast<std::size_t>((a + 2 * kAngles) % kAngles)] > 0;
   };
-  int widest = 0;
+  Gap widest;
   const Points known = ring.line;
   for (int a = 0; a < kAngles; ++a) {
     if (has(a)) continue;
     int back = 1, ahead = 1;
     while (!has(a - back) && back < kAngles) ++back;
     while (!has(a + ahead) && ahead < kAngles) ++ahead;
-    widest = std::max(widest, back + ahead - 1);
+    if (back + ahead - 1 > widest.angles) widest = {back + ahead - 1, (a + ahead) % kAngles};
     const double share = static_cast<double>(back) / (back + ahead);
     ring.line.row(a) = (1.0 - share) * known.row((a - back + kAngles) % kAngles) +
                        share * known.row((a + ahead) % kAngles);
@@ -109,12 +114,13 @@ Expected<Points> label_curve(const LabelMap& map, const LabelAt& label) {
   Eigen::Matrix3d axes;  // columns: in the plane, in the plane, across
   axes << solver.eigenvectors().col(2), solver.eigenvectors().col(1), solver.eigenvectors().col(0);
   Ring ring;
+  Gap gap;
   for (int pass = 0; pass <= kCentrings; ++pass) {
     ring = sorted((points.rowwise() - middle) * axes);
-    const int widest = bridge(ring);
-    if (widest > kWidestGap)
+    gap = bridge(ring);
+    if (gap.angles > kWidestGap)
       return no_ring(label,
-                     "it is open over " + std::to_string(widest * 360 / kAngles) + " degrees");
+                     "it is open over " + std::to_string(gap.angles * 360 / kAngles) + " degrees");
     if (pass < kCentrings) middle += ring.line.colwise().mean() * axes.transpose();
   }
   if (ring.least_radius < kLeastHole * ring.mean_radius)
@@ -128,7 +134,11 @@ Expected<Points> label_curve(const LabelMap& map, const LabelAt& label) {
       ring.line.row(a) = 0.25 * line.row((a + kAngles - 1) % kAngles) + 0.5 * line.row(a) +
                          0.25 * line.row((a + 1) % kAngles);
   }
-  return Points((ring.line * axes.transpose()).rowwise() + middle);
+  const Points line = (ring.line * axes.transpose()).rowwise() + middle;
+  if (gap.angles <= kNoisyGap) return line;
+  Points open(kAngles - gap.angles, 3);
+  for (Eigen::Index i = 0; i < open.rows(); ++i) open.row(i) = line.row((gap.end + i) % kAngles);
+  return open;
 }
 
 }  // namespace coapt

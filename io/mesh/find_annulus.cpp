@@ -22,6 +22,7 @@ constexpr double kJoin =
 constexpr int kRounds = 3;
 constexpr double kApart_mm = 3.0;  // loops further apart than this, in the mean, are different ones
 constexpr double kBeyond_mm = 1.5;    // outside the loop, of billowing leaflets and noise
+constexpr double kStraddled = 1.5;    // weight of the sheets' distance on either side
 constexpr double kOutside = 2.0;      // weight of the share outside
 constexpr double kSaddle = 0.1;       // of the loop's mean radius: off its plane for nothing, rms
 constexpr double kLeastMargin = 0.1;  // of the score
@@ -299,7 +300,8 @@ Expected<FoundAnnulus> find_annulus(const ImportSource& source) {
       best = std::move(next);
     }
     if (best.loop_mm.rows() == 0) continue;
-    best.score -= ArcLength(best.loop_mm).total_mm() * straddled_mm(source.leaflets, best.loop_mm);
+    best.score -= kStraddled * ArcLength(best.loop_mm).total_mm() *
+                  straddled_mm(source.leaflets, best.loop_mm);
     best.score -= kOutside * std::abs(best.score) * outside_share(outlines, best.loop_mm);
     found.push_back(std::move(best));
   }

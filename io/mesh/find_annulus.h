@@ -6,7 +6,7 @@
 //   J(i, j) = integral of (g / mean g) r dphi + kEnds (g_i + g_j)
 // greatest, less kJoin times the gap to the ends of the other sheet's stretch, in turns: along an edge at the commissure g falls without progress, along the free edge progress is negative. 26 directions of
 // the axis about the principal ones of the outlines are tried, each again with the normal of its loop; the loop with the greatest
-// score wins: projected area less perimeter times (distance from its plane, rms, beyond that of a saddle, + half the mean gap where stretches meet + how far
+// score wins: projected area less perimeter times (distance from its plane, rms, beyond that of a saddle, + half the mean gap where stretches meet + 1.5 times how far
 // the sheets lie on either side of its plane), less twice the share of the outlines outside of it. Papillary tips, where there are any, must lie on the side of q.
 //
 // Limits: a funnel as wide at the free edge as at the annulus tells them apart only by tips; without, the two loops score alike

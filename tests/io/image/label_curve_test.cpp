@@ -38,7 +38,7 @@ TEST(LabelCurve, TubeAboutASaddleGivesItsMiddleLine) {
       << "in order round the ring (the saddle adds 4 mm)";
 }
 
-TEST(LabelCurve, AGapOfTwentyDegreesIsBridgedOneOfFiftyIsRefused) {
+TEST(LabelCurve, AGapOfTenDegreesIsBridgedOneOfFortyStaysOneOfEightyIsRefused) {
   const auto with_gap = [](double degrees) {
     return drawn_labels(kImage, kPlace, [=](const Vec3& x) {
       const Vec3 at = into_ring(x);
@@ -46,8 +46,11 @@ TEST(LabelCurve, AGapOfTwentyDegreesIsBridgedOneOfFiftyIsRefused) {
              std::abs(std::atan2(at.y(), at.x())) > degrees / 360.0 * std::numbers::pi;
     });
   };
-  EXPECT_TRUE(label_curve(with_gap(20), {0, 1}));
-  const Expected<Points> open = label_curve(with_gap(50), {0, 1});
+  EXPECT_EQ(label_curve(with_gap(10), {0, 1})->rows(), 72);
+  const Expected<Points> wide = label_curve(with_gap(40), {0, 1});
+  ASSERT_TRUE(wide);
+  EXPECT_NEAR(static_cast<double>(wide->rows()), 72.0 * 320.0 / 360.0, 3.0);
+  const Expected<Points> open = label_curve(with_gap(80), {0, 1});
   ASSERT_FALSE(open);
   EXPECT_NE(open.errors()[0].message.find("it is open over"), std::string::npos);
 }

@@ -99,9 +99,9 @@ class Schema {
   Json root_;
 };
 
-Json small_json() { return Json::parse(write_valve(small_valve())); }
+Json small_document() { return Json::parse(write_valve(small_valve())); }
 
-Json full_plan() {
+Json plan_document() {
   const LeafletPoint point = {Leaflet::Posterior, 0.5, 1.0};
   const RepairPlan plan = {
       {Annuloplasty{OwnRing{2}}, Annuloplasty{CatalogueRing{"generic-classic", 30.0}},
@@ -177,23 +177,23 @@ void expect_agreement_on_range(const Json& range, const Json& good, const std::s
 bool reads_valve(const Json& document) { return bool(read_valve(document.dump())); }
 bool reads_plan(const Json& document) { return bool(read_plan(document.dump())); }
 
-TEST(ValveSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("valve").accepts(small_json())); }
+TEST(ValveSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("valve").accepts(small_document())); }
 
 TEST(ValveSchema, AgreesWithTheReaderOnEveryField) {
-  expect_agreement_on_fields(Schema("valve"), small_json(), reads_valve);
+  expect_agreement_on_fields(Schema("valve"), small_document(), reads_valve);
 }
 
 TEST(ValveSchema, AgreesWithTheReaderOnRanges) {
   const Schema schema("valve");
   const Json& fields = schema.root()["properties"];
-  expect_agreement_on_range(fields["pressure_kpa"], small_json(), "/pressure_kpa", reads_valve);
+  expect_agreement_on_range(fields["pressure_kpa"], small_document(), "/pressure_kpa", reads_valve);
   for (const auto& [name, range] : fields["tissue"]["properties"].items()) {
     if (range["type"] == "string") continue;
-    expect_agreement_on_range(range, small_json(), "/tissue/" + name, reads_valve);
+    expect_agreement_on_range(range, small_document(), "/tissue/" + name, reads_valve);
   }
   for (const std::string name : {"rest_length_mm", "diameter_mm", "zone_mm"}) {
-    expect_agreement_on_range(schema.root()["$defs"]["segment"]["properties"][name], small_json(),
-                              "/chordae/0/segments/1/" + name, reads_valve);
+    expect_agreement_on_range(schema.root()["$defs"]["segment"]["properties"][name],
+                              small_document(), "/chordae/0/segments/1/" + name, reads_valve);
   }
 }
 
@@ -204,7 +204,7 @@ void expect_range_is_known(const Json& range, const std::string& at) {
     const double limit = range[end];
     const double outwards = end == std::string("minimum") ? -1.0 : 1.0;
     for (const double number : {limit, std::nextafter(limit, outwards * INFINITY)}) {
-      Json document = small_json();
+      Json document = small_document();
       document[Json::json_pointer(at)] = number;
       const Found found = problems_of(read_valve(document.dump()));
       const auto here =
@@ -226,10 +226,10 @@ TEST(ValveSchema, AgreesWithTheReaderOnPlacesAndWeights) {
   expect_range_is_known(insertion["weights"]["items"], "/chordae/0/segments/1/insertion/weights/0");
 }
 
-TEST(PlanSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("plan").accepts(full_plan())); }
+TEST(PlanSchema, AcceptsWhatIsWritten) { EXPECT_TRUE(Schema("plan").accepts(plan_document())); }
 
 TEST(PlanSchema, AgreesWithTheReaderOnEveryField) {
-  expect_agreement_on_fields(Schema("plan"), full_plan(), reads_plan);
+  expect_agreement_on_fields(Schema("plan"), plan_document(), reads_plan);
 }
 
 TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
@@ -272,7 +272,7 @@ TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
   const Schema schema("plan");
   const Json& kinds = schema.root()["$defs"];
   const auto check = [&](const char* kind, const char* field, const std::string& at) {
-    expect_agreement_on_range(kinds[kind]["properties"][field], full_plan(), at, reads_plan);
+    expect_agreement_on_range(kinds[kind]["properties"][field], plan_document(), at, reads_plan);
   };
   check("catalogue_ring", "size_mm", "/steps/1/size_mm");
   check("designed_ring", "size_mm", "/steps/11/size_mm");
@@ -289,7 +289,7 @@ TEST(PlanSchema, AgreesWithTheReaderOnRanges) {
 
 TEST(PlanSchema, AgreesWithTheReaderOnRingSizesBelow) {
   const Schema schema("plan");
-  Json plan = full_plan();
+  Json plan = plan_document();
   for (const int sizes : {-1, 0, 6, 7}) {
     plan["steps"][0]["sizes_below"] = sizes;
     EXPECT_EQ(schema.accepts(plan), sizes >= 0 && sizes <= 6);

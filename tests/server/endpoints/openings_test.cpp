@@ -14,7 +14,7 @@ class OpeningsTest : public ServiceTest {
   }
 };
 
-Json plan_of(const Json& step) {
+Json asked_with(const Json& step) {
   return {{"plan", {{"schema", "coapt.plan/1"}, {"steps", {step}}}}};
 }
 
@@ -48,7 +48,7 @@ TEST_F(OpeningsTest, WhatIsDrawnOfItHasTheFramesAskedFor) {
 TEST_F(OpeningsTest, APlanIsAppliedAndWarnedOf) {
   const Json before = json_of(open());
   const Answer answer =
-      open(plan_of({{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 6}}));
+      open(asked_with({{"step", "annuloplasty"}, {"shape", "own"}, {"sizes_below", 6}}));
   ASSERT_EQ(answer.status, 200) << json_of(answer);
   const Json repaired = json_of(answer);
   EXPECT_LT(repaired["opening_area_mm2"], before["opening_area_mm2"]);
@@ -64,7 +64,7 @@ TEST_F(OpeningsTest, EveryProblemPointsIntoTheRequest) {
                           {"frames", 61},
                           {"surprise", 1}})),
             (Refused{422, {"/pressure_mmhg", "/flow_ml_s", "/exercise", "/frames", "/surprise"}}));
-  EXPECT_EQ(refusal(open(plan_of({{"step", "chordal_excision"}, {"chorda", "none"}}))),
+  EXPECT_EQ(refusal(open(asked_with({{"step", "chordal_excision"}, {"chorda", "none"}}))),
             (Refused{422, {"/plan/steps/0/chorda"}}));
   EXPECT_EQ(refusal(open({{"valve", "nobody"}})), (Refused{422, {"/valve"}}));
   EXPECT_EQ(refusal(post("/v1/openings", Json::object())), (Refused{422, {"/valve"}}));
