@@ -26,7 +26,8 @@ from affected import ROOT, affected_rooms, changed_files, usual_base
 BUILD = ("CMakeLists.txt", "CMakePresets.json", "Makefile", "cmake/", ".ci/", "server/openapi", "io/schema/", "words/")
 PRODUCT = ("core", "search", "io", "operations", "farm", "server", "clients")
 LAST_LINES = 60  # of what failed
-LONGEST_S = 2400  # of a phase that a change must pass: what hangs is ended and shown, before the check as a whole is
+LONGEST_S = 1800  # of a phase that tests: what hangs is ended and shown, before the check as a whole is
+BUILDS = {"release", "sanitizers"}  # phases that compile alone, and do not hang
 NEEDED = {"packages", "release"}  # by all that comes later
 
 
@@ -186,7 +187,8 @@ class Run:
                 start_new_session=True,
             )
             self.running.add(make.pid)
-            limit = threading.Timer(self.longest_s, os.killpg, (make.pid, signal.SIGKILL))
+            longest_s = threading.TIMEOUT_MAX if phase.name in BUILDS else self.longest_s
+            limit = threading.Timer(longest_s, os.killpg, (make.pid, signal.SIGKILL))
             limit.start()
             _, status, used = os.wait4(make.pid, 0)
             limit.cancel()
