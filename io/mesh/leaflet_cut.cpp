@@ -36,8 +36,14 @@ double length(const std::vector<Vec2>& line) {
 std::vector<Crossing> cross_faces(const TriangleMesh& mesh, const Vec2& towards) {
   const Eigen::VectorXd side =
       mesh.vertices_mm.col(1) * towards.x() - mesh.vertices_mm.col(0) * towards.y();
+  std::vector<char> left(static_cast<std::size_t>(side.size()));
+  for (std::size_t v = 0; v < left.size(); ++v) left[v] = side[static_cast<Index>(v)] >= 0.0;
   std::vector<Crossing> crossings;
-  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+  const int* corners = mesh.faces.data();
+  for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f, corners += 3) {
+    // Of hundreds of half-planes each crosses few faces.
+    const auto lies_left = [&](int k) { return left[static_cast<std::size_t>(corners[k])]; };
+    if (lies_left(0) == lies_left(1) && lies_left(1) == lies_left(2)) continue;
     const std::size_t before = crossings.size();
     for (int k = 0; k < 3; ++k) {
       const int a = std::min(mesh.faces(f, k), mesh.faces(f, (k + 1) % 3));
@@ -48,7 +54,6 @@ std::vector<Crossing> cross_faces(const TriangleMesh& mesh, const Vec2& towards)
           mesh.vertices_mm.row(a) + share * (mesh.vertices_mm.row(b) - mesh.vertices_mm.row(a));
       crossings.push_back({{a, b}, {p.head<2>().dot(towards), p.z()}, before / 2});
     }
-    if (crossings.size() == before) continue;
     if (crossings[before].point.x() + crossings[before + 1].point.x() <= 0.0)
       crossings.resize(before);
   }
