@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "io/mesh/import_sheets.h"
-#include "io/mesh/mesh_distance.h"
 
 namespace coapt {
 namespace {
@@ -79,12 +79,14 @@ LeafletSigns leaflet_signs(const std::vector<TriangleMesh>& leaflets, const Poin
   const ArcLength arc(annulus_mm);
   LeafletSigns signs;
   Points line(kAnnulusArcs, 3);
+  const SurfaceTree first(leaflets[0].vertices_mm, leaflets[0].faces),
+      second(leaflets[1].vertices_mm, leaflets[1].faces);
   std::vector<std::size_t> nearest;
   for (Eigen::Index i = 0; i < kAnnulusArcs; ++i) {
     const Vec3 at =
         arc.at(arc.total_mm() * static_cast<double>(i) / static_cast<double>(kAnnulusArcs));
     line.row(i) = at;
-    nearest.push_back(distance_mm({leaflets[0]}, at) <= distance_mm({leaflets[1]}, at) ? 0 : 1);
+    nearest.push_back(first.nearest(at).distance_mm <= second.nearest(at).distance_mm ? 0 : 1);
   }
   const Vec3 up = atrial_normal(leaflets, line);
   std::array<double, 2> level_mm = {0.0, 0.0};

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "core/valve/vertex_normals.h"
-#include "io/mesh/mesh_distance.h"
 #include "io/mesh/sheet_repair.h"
 #include "io/mesh/source_units.h"
 
@@ -33,13 +33,12 @@ struct Far {
   double rms_mm = 0.0, max_mm = 0.0;
 };
 
-Far apart(const Points& points_mm, const std::vector<TriangleMesh>& sheets,
-          const ClosureBudget& budget) {
+Far apart(const Points& points_mm, const SurfaceTree& surface, const ClosureBudget& budget) {
   const Eigen::Index stride = 1 + points_mm.rows() / kMostSamples;
   Far far;
   int count = 0;
   for (Eigen::Index i = 0; i < points_mm.rows() && !budget.is_cancelled(); i += stride) {
-    const double distance = distance_mm(sheets, points_mm.row(i));
+    const double distance = surface.nearest(points_mm.row(i)).distance_mm;
     far.rms_mm += distance * distance;
     far.max_mm = std::max(far.max_mm, distance);
     ++count;
@@ -163,8 +162,9 @@ std::vector<ImportDecision> thickness_checks(const std::vector<TriangleMesh>& le
 
 TwoWayDistance two_way_distance(const std::vector<TriangleMesh>& sheets, const Valve& valve,
                                 const ClosureBudget& budget) {
-  const Far to = apart(valve.rest_mm, sheets, budget);
-  const std::vector<TriangleMesh> made = {{valve.rest_mm, valve.faces, {}}};
+  const TriangleMesh given = joined(sheets);
+  const Far to = apart(valve.rest_mm, {given.vertices_mm, given.faces}, budget);
+  const SurfaceTree made(valve.rest_mm, valve.faces);
   TwoWayDistance both{to.rms_mm, to.max_mm, 0.0, 0.0};
   double sum = 0.0;
   for (const TriangleMesh& sheet : sheets) {

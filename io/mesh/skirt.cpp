@@ -13,13 +13,13 @@
 #include <numbers>
 #include <optional>
 
+#include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/mesh/given_landmarks.h"
 #include "io/mesh/hanging_profile.h"
 #include "io/mesh/leaflet_cut.h"
-#include "io/mesh/mesh_distance.h"
 
 namespace coapt {
 namespace {
@@ -87,9 +87,9 @@ Profile hanging_profile(double height_mm, int rows) {
   return profile;
 }
 
-/// Bare where the section grazes the leaflet, near the commissures, and where none begins at the annulus.
-Profile closed_profile(const FramedSource& source, const Vec3& annulus, std::size_t sheet,
-                       double hidden_mm, int rows) {
+/// `opposite`: the other leaflet. Bare where the section grazes the leaflet, near the commissures, and where none begins at the annulus.
+Profile closed_profile(const FramedSource& source, const SurfaceTree& opposite, const Vec3& annulus,
+                       std::size_t sheet, double hidden_mm, int rows) {
   Profile bare;
   bare.offsets = Eigen::MatrixX2d::Zero(rows + 1, 2);
   const double half_width = source.annulus_mm.col(0).cwiseAbs().maxCoeff();
@@ -97,7 +97,7 @@ Profile closed_profile(const FramedSource& source, const Vec3& annulus, std::siz
   const std::optional<ExposedLeaflet> exposed =
       exposed_leaflet(source.leaflets[sheet], annulus, CutOptions{}.reach_mm);
   if (!exposed) return bare;
-  const bool meets = distance_mm({source.leaflets[1 - sheet]}, exposed->end_mm) < kMeet_mm;
+  const bool meets = opposite.nearest(exposed->end_mm).distance_mm < kMeet_mm;
   Profile profile =
       hanging_profile(exposed->length_mm / kClosedStretch + (meets ? hidden_mm : 0.0), rows);
   profile.exposed_mm = exposed->length_mm;
@@ -250,15 +250,19 @@ Expected<Skirt> resample_skirt(const FramedSource& source, const SkirtSize& size
 
   const int cuts = skirt.stations * kCutsPerStation;
   skirt.hat_mm = hat_cuts(cuts) * skirt.spacing_mm / kCutsPerStation;
+  std::vector<SurfaceTree> surfaces;
+  if (imaged.closed)
+    for (const TriangleMesh& leaflet : source.leaflets)
+      surfaces.emplace_back(leaflet.vertices_mm, leaflet.faces);
   std::vector<Profile> profiles;
   for (int i = 0; i < cuts; ++i) {
     if (budget.is_cancelled()) return Error{ErrorCode::Busy, "", "was cancelled"};
     const double station = static_cast<double>(i) / kCutsPerStation;
     const Vec3 annulus = arc.at(arc_at(station));
     const std::size_t sheet = station * skirt.spacing_mm < anterior ? 0 : 1;
-    profiles.push_back(imaged.closed
-                           ? closed_profile(source, annulus, sheet, imaged.hidden_mm, skirt.rows)
-                           : profile_at(source, annulus, skirt.rows));
+    profiles.push_back(imaged.closed ? closed_profile(source, surfaces[1 - sheet], annulus, sheet,
+                                                      imaged.hidden_mm, skirt.rows)
+                                     : profile_at(source, annulus, skirt.rows));
   }
   if (imaged.closed) {
     const auto lateral =

@@ -6,8 +6,8 @@
 
 #include "core/metrics/leaflet_sides.h"
 #include "core/metrics/section.h"
+#include "core/metrics/surface_tree.h"
 #include "io/json/version.h"
-#include "io/mesh/mesh_distance.h"
 #include "io/picture/import_paint.h"
 #include "io/picture/text.h"
 
@@ -239,9 +239,11 @@ std::string draw_distances(const Canvas& canvas, const PictureSheet& sheet,
   const Valve& valve = imported.valve;
   const Box box = sheet.box(2, 0);
   TintedMesh mesh{valve.rest_mm, valve.faces, {}};
+  const TriangleMesh given = joined(imported.input.leaflets);
+  const SurfaceTree surface(given.vertices_mm, given.faces);
   double sum = 0.0, most = 0.0;
   for (const auto vertex : valve.rest_mm.rowwise()) {
-    const double away = distance_mm(imported.input.leaflets, vertex.transpose());
+    const double away = surface.nearest(vertex.transpose()).distance_mm;
     mesh.colours.push_back(mixed(kNear, kAway, std::min(1.0, away / kFar_mm)));
     sum += away * away;
     most = std::max(most, away);

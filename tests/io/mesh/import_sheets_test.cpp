@@ -10,7 +10,6 @@
 #include "core/metrics/measure.h"
 #include "io/mesh/find_annulus.h"
 #include "io/mesh/imaged_state.h"
-#include "io/mesh/mesh_distance.h"
 #include "shell_scene.h"
 
 namespace coapt {

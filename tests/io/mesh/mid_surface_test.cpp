@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cone_scene.h"
-#include "io/mesh/mesh_distance.h"
+#include "core/metrics/surface_tree.h"
 #include "io/mesh/sheet_repair.h"
 #include "shell_scene.h"
 
@@ -25,8 +25,10 @@ Found against(const TriangleMesh& sheet, const TriangleMesh& shell) {
   EXPECT_TRUE(middle) << (middle ? "" : middle.errors()[0].message);
   if (!middle) return {};
   Found found;
+  const SurfaceTree made(middle->sheet.vertices_mm, middle->sheet.faces),
+      known(sheet.vertices_mm, sheet.faces);
   for (const auto& v : middle->sheet.vertices_mm.rowwise()) {
-    const double off = distance_mm({sheet}, v.transpose());
+    const double off = known.nearest(v.transpose()).distance_mm;
     found.rms_mm += off * off;
   }
   found.rms_mm = std::sqrt(found.rms_mm / static_cast<double>(middle->sheet.vertices_mm.rows()));
@@ -35,7 +37,7 @@ Found against(const TriangleMesh& sheet, const TriangleMesh& shell) {
   found.area_mm2 = area_mm2(middle->sheet);
   const std::vector<int> edge = boundary_loops(sheet)[0];
   for (const int v : edge)
-    found.edge_mm += distance_mm({middle->sheet}, sheet.vertices_mm.row(v).transpose()) /
+    found.edge_mm += made.nearest(sheet.vertices_mm.row(v).transpose()).distance_mm /
                      static_cast<double>(edge.size());
   EXPECT_EQ(boundary_loops(middle->sheet).size(), 1u);
   return found;
