@@ -64,8 +64,9 @@ std::array<double, 2> principal_stretches(const std::array<Vec3, 3>& rest_mm,
 
 std::vector<LeafletMeasure> measure_leaflets(const Valve& valve, const Points& closed_mm,
                                              double contact_distance_mm) {
-  const double reach_mm =
-      contact_distance_mm > 0.0 ? contact_distance_mm : kContactThicknesses * valve.tissue.thickness_mm;
+  const double reach_mm = contact_distance_mm > 0.0
+                              ? contact_distance_mm
+                              : kContactThicknesses * valve.tissue.thickness_mm;
   std::vector<int> leaflet_of;
   for (int f = 0; f < valve.faces.rows(); ++f) leaflet_of.push_back(leaflet_index(valve, f));
   const std::vector<bool> touches = touching(valve, closed_mm, reach_mm, leaflet_of);
