@@ -196,8 +196,8 @@ class RankedPlan(tables.Short):
     def tolerance(self) -> tuple[Tolerance, ...]:
         """Leak over the error of each step; of the first plan of a search alone, empty without evidence.
 
-        >>> best.tolerance  # of evaluate()
-        ()
+        >>> [one.error for one in best.tolerance]
+        ['ring_size']
         """
         return tuple(map(Tolerance.from_json, self.json.get("tolerance", ())))
 
