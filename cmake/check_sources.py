@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """check_sources.py BUILD [SINCE]: compiles sources each by itself, without code generation.
 
-The build puts eight sources into one and reads headers beforehand, so it sees no forgotten include. BUILD is a configured
+The build puts sixteen sources into one and reads headers beforehand, so it sees no forgotten include. BUILD is a configured
 build without either. Checked are the sources that differ from the commit SINCE and those that include a header that does;
 all, if git does not know SINCE. By default SINCE is where the branch left origin/main, or the last commit on it, and of
 those that only include what differs no more than MOST are checked: one takes 4 to 9 seconds of a core.
