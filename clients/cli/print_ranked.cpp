@@ -92,11 +92,18 @@ void print_row(std::ostream& out, const Json& plan) {
       << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
 }
 
+/// As the table's columns call what beaten_by names.
+std::string column_of(const std::string& objective) {
+  if (objective == "durability") return "reserve";
+  return objective == "operation" ? "effort" : objective;
+}
+
 void print_beaten(std::ostream& out, const Json& plan) {
   const auto beaten = plan.find("beaten_by");
   if (beaten == plan.end() || beaten->is_null()) return;  // not of earlier releases
   std::string words;
-  for (const std::string figure : (*beaten)["in"]) words += (words.empty() ? "" : " and ") + figure;
+  for (const std::string objective : (*beaten)["in"])
+    words += (words.empty() ? "" : " and ") + column_of(objective);
   print_words(out, "      ",
               "plan " + std::to_string((*beaten)["rank"].get<int>()) +
                   " is at least as good in leak, opening and reserve, and better in " + words);
