@@ -42,11 +42,15 @@ void tell_before(PlanEvaluations& evaluations, SearchResult& result) {
   if (result.diagnosis) evaluations.tell(*result.diagnosis);
 }
 
+bool any_acceptable(const std::vector<RankedPlan>& plans) {
+  return std::any_of(plans.begin(), plans.end(),
+                     [](const RankedPlan& plan) { return plan.is_acceptable; });
+}
+
 /// What all evaluations and the ranked plans add to a result.
 void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
                SearchResult& result) {
-  result.any_acceptable = std::any_of(result.plans.begin(), result.plans.end(),
-                                      [](const RankedPlan& plan) { return plan.is_acceptable; });
+  result.any_acceptable = any_acceptable(result.plans);
   if (monitor.cancelled()) {
     result.stop = SearchStop::Cancelled;
   } else if (monitor.stopped()) {
@@ -63,10 +67,26 @@ void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
 void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
                     const SearchOptions& options, int map_nodes, SearchResult& result) {
   evaluations.open(finalists, PlanEvaluations::Phase::Ranking);
-  finalists = close_finalists(evaluations, std::move(finalists), options, result.ladder);
-  const FineClosures fine = close_fine(evaluations, finalists, options.fine_levels);
-  const ModelClosures model = close_under_draws(evaluations, finalists, options.model_draws);
-  result.plans = rank(evaluations, finalists, options, fine, model);
+  auto [kept, others] = close_finalists(evaluations, std::move(finalists), options, result.ladder);
+  finalists = std::move(kept);
+  FineClosures fine;
+  ModelClosures model;
+  const auto judge = [&] {
+    fine = close_fine(evaluations, finalists, options.fine_levels);
+    model = close_under_draws(evaluations, finalists, options.model_draws);
+    result.plans = rank(evaluations, finalists, options, fine, model);
+  };
+  judge();
+  if (!others.empty() && !any_acceptable(result.plans)) {
+    // Nodes took plans for acceptable that are not so with other tissue or on the finer mesh; those that they put behind may be.
+    finalists.insert(finalists.end(), others.begin(), others.end());
+    judge();
+    result.plans.resize(std::min(result.plans.size(), static_cast<std::size_t>(options.plans)));
+    finalists.clear();
+    for (const RankedPlan& plan : result.plans) finalists.push_back(&evaluations.record(plan.plan));
+    if (options.evidence) close_evidence(evaluations, finalists);
+    result.plans = rank(evaluations, finalists, options, fine, model);
+  }
   if (map_nodes > options.region_points && !result.plans.empty()) {
     close_map(evaluations, evaluations.record(result.plans.front().plan), map_nodes);
     result.plans = rank(evaluations, finalists, options, fine, model);

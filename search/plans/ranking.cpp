@@ -122,10 +122,10 @@ std::vector<PlanPlace> order_over(PlanEvaluations& evaluations,
   return order_of(merits, options.rank_by_price);
 }
 
-/// The first options.plans by the rule that ranks, as far as there are so many each another operation.
-void keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
-               const SearchOptions& options) {
-  if (std::ssize(plans) <= options.plans) return;
+/// The first options.plans by the rule that ranks, as far as there are so many each another operation. @return the others
+std::vector<PlanRecord*> keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans,
+                                   int nodes, const SearchOptions& options) {
+  if (std::ssize(plans) <= options.plans) return {};
   if (nodes > 0) {
     std::vector<PlanRecord*> order;
     for (const PlanPlace& place : order_over(evaluations, plans, nodes, options))
@@ -136,7 +136,9 @@ void keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, in
   std::stable_partition(plans.begin(), plans.end(), [&](const PlanRecord* plan) {
     return seen.insert(operation_key(plan->plan)).second;
   });
+  std::vector<PlanRecord*> others(plans.begin() + options.plans, plans.end());
   plans.resize(options.plans);
+  return others;
 }
 
 /// Where some are to be dropped: not of plans of one's own.
@@ -181,14 +183,6 @@ std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
   if (al) sets.push_back(kAnterolateralAlone);
   if (pm) sets.push_back(kPosteromedialAlone);
   return sets;
-}
-
-void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans) {
-  std::vector<PlanEvaluations::Wanted> wanted;
-  for (PlanRecord* plan : plans)
-    for (const DisturbanceSet set : evidence_of(plan->plan))
-      for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
-  evaluations.close(wanted, PlanEvaluations::Phase::Ranking);
 }
 
 int disease_closures_left(const PlanRecord& plan) {
@@ -297,11 +291,18 @@ int evidence_closures(const RepairPlan& plan) {
   return closures;
 }
 
-std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
-                                         std::vector<PlanRecord*> finalists,
-                                         const SearchOptions& options,
-                                         std::vector<LadderStep>& ladder) {
+void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans) {
+  std::vector<PlanEvaluations::Wanted> wanted;
+  for (PlanRecord* plan : plans)
+    for (const DisturbanceSet set : evidence_of(plan->plan))
+      for (int d = set.first; d < set.first + set.count; ++d) wanted.push_back({plan, d});
+  evaluations.close(wanted, PlanEvaluations::Phase::Ranking);
+}
+
+Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
+                          const SearchOptions& options, std::vector<LadderStep>& ladder) {
   int closed = 0;
+  std::vector<PlanRecord*> others;
   for (const int goal : {1, kChosenBy, kBeforeTheRegion, options.region_points}) {
     const int nodes = std::min(goal, options.region_points);
     if (nodes <= closed) continue;
@@ -312,7 +313,7 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
         return common_nodes({plan}) < std::min(most, kChosenBy);
       });
       keep_best(evaluations, finalists, common_nodes(finalists), options);
-      return finalists;
+      return {finalists, {}};
     }
     if (closed > 1)
       ladder.push_back(measure_ladder_step(closed, nodes, costs_of(evaluations, finalists, closed),
@@ -323,12 +324,13 @@ std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
       close_disease(evaluations, finalists, PlanEvaluations::Phase::Ranking);
       if (takes_simpler(options, finalists)) add_simpler(evaluations, finalists, nodes, options);
     }
-    if (nodes >= std::min(kBeforeTheRegion, options.region_points))
-      keep_best(evaluations, finalists, nodes, options);
+    if (nodes < std::min(kBeforeTheRegion, options.region_points)) continue;
+    const std::vector<PlanRecord*> dropped = keep_best(evaluations, finalists, nodes, options);
+    if (nodes == options.region_points) others = dropped;
   }
   keep_best(evaluations, finalists, closed, options);
   if (options.evidence) close_evidence(evaluations, finalists);
-  return finalists;
+  return {finalists, others};
 }
 
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes) {

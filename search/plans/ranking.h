@@ -25,14 +25,19 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
 /// alone, and of both by themselves.
 int evidence_closures(const RepairPlan& plan);
 
+struct Finalists {
+  std::vector<PlanRecord*> kept;
+  std::vector<PlanRecord*> others;  ///< dropped, closed at as many nodes, in order
+};
+
 /// Closes the finalists at as many nodes as the ladder goes, joined by simpler and safer versions of the first class (simpler_plans.h), dropping the last on the
 /// way down to options.plans, of two that are the same in surgical terms the later one first; the evidence, if asked for: disease before the first are dropped, whose price then counts; for those that stay single sutures,
 /// independent errors, remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
 /// ones.
-std::vector<PlanRecord*> close_finalists(PlanEvaluations& evaluations,
-                                         std::vector<PlanRecord*> finalists,
-                                         const SearchOptions& options,
-                                         std::vector<LadderStep>& ladder);
+Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
+                          const SearchOptions& options, std::vector<LadderStep>& ladder);
+
+void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans);
 
 /// Closes a plan at so many nodes: its map.
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes);

@@ -40,7 +40,7 @@ TEST(Ranking, FinalistsClimbToTheRegionAndTheDearestAreDropped) {
     const int before = scene.evaluations.closures();
     const int taken = ranking_closures(options_of(3, region), finalists);
     const auto stayed =
-        close_finalists(scene.evaluations, finalists, options_of(3, region), ladder);
+        close_finalists(scene.evaluations, finalists, options_of(3, region), ladder).kept;
     ASSERT_EQ(stayed.size(), 3u) << region;
     for (const PlanRecord* plan : stayed) EXPECT_EQ(region_nodes(*plan), region);
     EXPECT_EQ(scene.evaluations.closures() - before, taken);
@@ -77,7 +77,7 @@ TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
                         &cancelled);
   std::vector<LadderStep> ladder;
   const auto stayed =
-      close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, 9), ladder);
+      close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, 9), ladder).kept;
   ASSERT_EQ(stayed.size(), 3u);
   const std::vector<RankedPlan> plans = rank(scene.evaluations, stayed, over_nodes(17));
   ASSERT_EQ(plans.size(), 3u);
@@ -152,7 +152,7 @@ TEST(Ranking, OfPlansThatCannotBeToldApartTheSimplestIsFirst) {
 TEST(Ranking, NoPlansAreRankedAsNone) {
   EvaluationScene scene(needs_suture);
   std::vector<LadderStep> ladder;
-  EXPECT_TRUE(close_finalists(scene.evaluations, {}, options_of(3, 100), ladder).empty());
+  EXPECT_TRUE(close_finalists(scene.evaluations, {}, options_of(3, 100), ladder).kept.empty());
   EXPECT_TRUE(rank(scene.evaluations, {}, over_nodes(17)).empty());
 }
 
