@@ -37,6 +37,7 @@ struct Finalists {
 Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
                           const SearchOptions& options, std::vector<LadderStep>& ladder);
 
+/// Further remodelling, errors of each suture alone, and all errors at once: what evidence_closures() counts, less disease.
 void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans);
 
 /// Closes a plan at so many nodes: its map.

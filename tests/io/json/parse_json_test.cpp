@@ -70,10 +70,12 @@ TEST(ParseJson, NestingIsLimitedTo32Levels) {
 TEST(ParseJson, SizeIsLimitedTo64MiB) {
   const std::string nesting(100'000'000, '[');
   EXPECT_EQ(found(nesting), (Found{{InvalidJson, ""}}));
+  EXPECT_TRUE(parse_json("1" + std::string((64u << 20) - 1, ' ')));
   EXPECT_EQ(found("1" + std::string(64u << 20, ' ')), (Found{{InvalidJson, ""}}));
 }
 
 TEST(ParseJson, ValuesAreLimitedAsAsked) {
+  static_assert(kMaxJsonValues == 8'000'000, "unless asked otherwise");
   EXPECT_TRUE(parse_json("[1, {}]", 3));
   const auto refused = parse_json("[1, {}]", 2);
   ASSERT_FALSE(refused);

@@ -112,7 +112,7 @@ TEST(ImportValve, CommissuresAreWhereTheSheetsMeet) {
 
 TEST(ImportValve, AnyResolutionIsMade) {
   ImportOptions options;
-  for (const int triangles : {100, 2600}) {
+  for (const int triangles : {100, 1400, 2600, 10400}) {
     options.triangles = triangles;
     const Valve valve = imported(cone_source(), options);
     EXPECT_NEAR(static_cast<double>(valve.faces.rows()), triangles, 0.1 * triangles);
