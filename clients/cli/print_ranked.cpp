@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <limits>
+#include <iterator>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -15,14 +14,18 @@
 #include "io/json/json.h"
 #include "io/picture/model_study_page.h"
 #include "io/picture/text.h"
+#include "io/picture/text_table.h"
+#include "search/plans/plan_row.h"
 
 namespace coapt {
 namespace {
 
 constexpr std::size_t kColumns = 100;
 
-std::string known(double number) { return std::isfinite(number) ? fixed(number, 1) : "-"; }
-std::string known(const Json& value) { return known(number_of(value)); }
+std::string known(const Json& value) {
+  const double number = number_of(value);
+  return std::isfinite(number) ? fixed(number, 1) : "-";
+}
 
 /// `mark` stands before the first line; later ones stand below its text.
 void print_words(std::ostream& out, const std::string& mark, const std::string& text) {
@@ -41,61 +44,80 @@ void print_words(std::ostream& out, const std::string& mark, const std::string& 
   out << line << '\n';
 }
 
-double number_in(const Json& plan, const char* key) {
-  const auto found = plan.find(key);  // results of earlier releases have fewer
-  return found == plan.end() ? std::numeric_limits<double>::quiet_NaN() : number_of(*found);
+const std::string kHeads[] = {"residual leak (< 5 mm²)", "reserve", "opening, gradient", "effort"};
+constexpr std::string PlanRow::*kCells[] = {&PlanRow::leak, &PlanRow::reserve, &PlanRow::opening,
+                                            &PlanRow::effort};
+
+/// The rows of the table; `shared` gets the cells that all plans share.
+std::vector<PlanRow> rows_of(const Json& plans, PlanRow& shared) {
+  std::vector<PlanRow> rows;
+  for (const Json& plan : plans) {
+    const Json row = plan.value("row", Json::object());  // not of earlier releases
+    rows.push_back({row.value("leak", "-"), row.value("reserve", "-"), row.value("opening", "-"),
+                    row.value("effort", "-")});
+  }
+  shared = take_shared(rows);
+  return rows;
 }
 
-/// In so many of its units, to the digits that are known.
-std::string known_estimate(const Json& plan, const char* name, double units = 1.0) {
-  const double value = number_in(plan, name);
-  if (!std::isfinite(value)) return "-";
-  const Json estimate = plan.value("estimates", Json::object()).value(name, Json::object());
-  return known_tenths(units * value, units * half_width(estimate_of(estimate, value)));
+/// Marked where a rule of practice rejects the plan.
+std::vector<std::string> warnings_of(const Json& plan) {
+  std::vector<std::string> warnings;
+  for (const std::string warning : plan["warnings"]) {
+    const bool rejects =
+        std::any_of(plan["gates"].begin(), plan["gates"].end(), [&](const Json& gate) {
+          return gate["severity"] == "reject" && gate["finding"] == warning;
+        });
+    warnings.push_back((rejects ? "rejected: " : "") + warning);
+  }
+  return warnings;
 }
 
-/// What a cardiologist would call what is left: by mean + sd over the region, or as planned where that was not closed.
-std::string leak_words(const Json& plan) {
-  const Json& leak = plan["leak_mm2"];
-  const double over_region = number_of(leak["mean"]) + number_of(leak["sd"]);
-  const double left = std::isfinite(over_region) ? over_region : number_of(leak["nominal"]);
-  if (!std::isfinite(left)) return "unknown";
-  if (left < kTraceLeak_mm2) return "none or trace";
-  return left < kMildLeak_mm2 ? "mild" : fixed(left, 0) + " mm2";
+std::vector<std::string> shared_warnings(const Json& plans) {
+  std::vector<std::string> shared;
+  if (plans.size() < 2) return shared;
+  shared = warnings_of(plans[0]);
+  for (const Json& plan : plans) {
+    const std::vector<std::string> own = warnings_of(plan);
+    std::erase_if(shared, [&](const std::string& warning) {
+      return std::find(own.begin(), own.end(), warning) == own.end();
+    });
+  }
+  return shared;
 }
 
-/// Else nothing is known of errors of execution.
-bool is_varied(const Json& plan) { return plan["region_closures"] > 1; }
-
-int muscles_sutured(const Json& plan) {
-  const Json& steps = plan["plan"]["steps"];
-  return static_cast<int>(std::count_if(steps.begin(), steps.end(), [](const Json& step) {
-    return step["step"] == "papillary_approximation";
-  }));
+void print_shared(std::ostream& out, const PlanRow& shared,
+                  const std::vector<std::string>& warnings) {
+  std::string words;
+  for (std::size_t i = 0; i < std::size(kCells); ++i)
+    if (const std::string& cell = shared.*kCells[i]; !cell.empty())
+      words += (words.empty() ? "" : "; ") + kHeads[i] + ": " + cell;
+  if (words.empty() && warnings.empty()) return;
+  print_words(out, "All plans: ", words);
+  for (const std::string& warning : warnings) print_words(out, "      ! ", warning);
+  out << '\n';
 }
 
-void print_header(std::ostream& out) {
-  out << "rank  residual leak  < 5 mm2 reserve opening  gradient  steps   muscles   sizes\n"
-      << "                                 mm     cm2      mmHg           sutured   below\n";
-}
-
-void print_row(std::ostream& out, const Json& plan) {
-  const double likely = is_varied(plan) ? number_in(plan, "acceptable_probability")
-                                        : std::numeric_limits<double>::quiet_NaN();
-  out << std::setw(4) << plan["rank"].get<int>() << "  " << std::left << std::setw(14)
-      << leak_words(plan) << std::right << std::setw(8)
-      << (std::isfinite(likely) ? probability_text(likely) : "-") << std::setw(8)
-      << known_estimate(plan, "durability_mm") << std::setw(8)
-      << known_estimate(plan, "opening_area_mm2", 0.01) << std::setw(10)
-      << known_estimate(plan, "gradient_mmhg") << std::setw(7) << plan["plan"]["steps"].size()
-      << std::setw(10) << muscles_sutured(plan) << std::setw(8) << known(plan["ring_sizes_below"])
-      << (plan["pareto"].get<bool>() ? "  *\n" : "\n");
-}
-
-/// As the table's columns call what beaten_by names.
-std::string column_of(const std::string& objective) {
-  if (objective == "durability") return "reserve";
-  return objective == "operation" ? "effort" : objective;
+/// Lines of the table, the head first, each without the cells that all plans share.
+std::vector<std::string> table_lines(const Json& plans, const std::vector<PlanRow>& rows,
+                                     const PlanRow& shared) {
+  std::vector<std::string> lines = {"rank"};
+  for (const Json& plan : plans) {
+    const std::string rank = std::to_string(plan["rank"].get<int>());
+    lines.push_back(std::string(lines[0].size() - rank.size(), ' ') + rank);
+  }
+  for (std::size_t i = 0; i < std::size(kCells); ++i) {
+    if (!(shared.*kCells[i]).empty()) continue;
+    int width = width_of(kHeads[i]);
+    for (const PlanRow& row : rows) width = std::max(width, width_of(row.*kCells[i]));
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      const std::string& cell = line == 0 ? kHeads[i] : rows[line - 1].*kCells[i];
+      lines[line] +=
+          "  " + cell + std::string(static_cast<std::size_t>(width - width_of(cell)), ' ');
+    }
+  }
+  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+  return lines;
 }
 
 void print_beaten(std::ostream& out, const Json& plan) {
@@ -103,7 +125,7 @@ void print_beaten(std::ostream& out, const Json& plan) {
   if (beaten == plan.end() || beaten->is_null()) return;  // not of earlier releases
   std::string words;
   for (const std::string objective : (*beaten)["in"])
-    words += (words.empty() ? "" : " and ") + column_of(objective);
+    words += (words.empty() ? "" : " and ") + objective;
   print_words(out, "      ",
               "plan " + std::to_string((*beaten)["rank"].get<int>()) +
                   " is at least as good in leak, opening and reserve, and better in " + words);
@@ -173,20 +195,6 @@ void print_fine_mesh(std::ostream& out, const Json& result) {
                      : "it does not change the ranking"));
 }
 
-/// What gates say against a plan, then what else is to be warned of.
-void print_warnings(std::ostream& out, const Json& plan) {
-  std::vector<std::string> said;
-  for (const Json& gate : plan["gates"]) {
-    const bool rejected = gate["severity"] == "reject";
-    if (!rejected && gate["severity"] != "warn") continue;
-    said.push_back(gate["finding"]);
-    print_words(out, "      ! ", (rejected ? "rejected: " : "") + said.back());
-  }
-  for (const std::string warning : plan["warnings"])
-    if (std::find(said.begin(), said.end(), warning) == said.end())
-      print_words(out, "      ! ", warning);
-}
-
 /// How far each step of the first plan may be off, each alone.
 void print_tolerance(std::ostream& out, const Json& plan) {
   const Json curves = plan.value("tolerance", Json::array());  // not of earlier releases
@@ -203,8 +211,7 @@ void print_tolerance(std::ostream& out, const Json& plan) {
                 "error of one step until it leaks " + shown(kTraceLeak_mm2) + " mm2: " + words);
 }
 
-void print_plan(std::ostream& out, const Json& plan) {
-  print_row(out, plan);
+void print_plan(std::ostream& out, const Json& plan, const std::vector<std::string>& shared) {
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
@@ -215,11 +222,26 @@ void print_plan(std::ostream& out, const Json& plan) {
   print_fine(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
     out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
-  print_warnings(out, plan);
+  for (const std::string& warning : warnings_of(plan))
+    if (std::find(shared.begin(), shared.end(), warning) == shared.end())
+      print_words(out, "      ! ", warning);
   if (const auto preferred = plan.find("preferred_over_next");
       preferred != plan.end() && !preferred->is_null())
     out << "      probability that an expert with these weights prefers it to the next: "
         << percent(*preferred) << '\n';
+}
+
+void print_plans(std::ostream& out, const Json& plans) {
+  PlanRow shared;
+  const std::vector<PlanRow> rows = rows_of(plans, shared);
+  const std::vector<std::string> warnings = shared_warnings(plans);
+  print_shared(out, shared, warnings);
+  const std::vector<std::string> lines = table_lines(plans, rows, shared);
+  out << lines.front() << '\n';
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    out << lines[i + 1] << '\n';
+    print_plan(out, plans[i], warnings);
+  }
 }
 
 /// What is not among the plans, and why.
@@ -250,13 +272,8 @@ void print_ranked(std::ostream& out, const Json& result) {
     if (const std::string verdict = result.value("verdict", ""); !verdict.empty())  // from 0.3 on
       print_words(out, "", verdict);
     out << '\n';
-    print_header(out);
+    print_plans(out, plans);
   }
-  for (const Json& plan : plans) print_plan(out, plan);
-  if (std::any_of(plans.begin(), plans.end(),
-                  [](const Json& plan) { return plan["pareto"].get<bool>(); }))
-    print_words(out, "* ",
-                "Pareto-optimal among the ranked plans in leak (mean + sd), opening and reserve");
   out << '\n';
   print_fine_mesh(out, result);
   print_model_draws(out, result);

@@ -6,6 +6,7 @@
 #include "io/json/search_options_json.h"
 #include "io/json/version.h"
 #include "search/plans/disturbance.h"
+#include "search/plans/plan_row.h"
 #include "search/plans/verdict.h"
 
 namespace coapt {
@@ -183,12 +184,20 @@ Json tolerance_json(const ToleranceCurve& curve) {
           {"margin_mm", curve.margin_mm}, {"leaks_beyond", curve.leaks_beyond}};
 }
 
+Json row_json(const PlanRow& row) {
+  return {{"leak", row.leak},
+          {"reserve", row.reserve},
+          {"opening", row.opening},
+          {"effort", row.effort}};
+}
+
 Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
   Json json = {{"rank", ranked.rank}};
   if (!ranked.name.empty()) json["name"] = ranked.name;
   json.update({{"plan", to_json(ranked.plan)},
                {"description", ranked.description},
+               {"row", row_json(row_of(ranked))},
                {"leak", leak_json(ranked)},
                {"estimates", estimates_json(ranked.estimates)},
                {"leak_mm2", statistics_json(region.leak_mm2)},

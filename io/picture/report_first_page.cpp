@@ -2,6 +2,7 @@
 // what to watch, what else there is.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/closed/diagnosis_sentence.h"
 #include "core/repair/limits.h"
@@ -10,6 +11,7 @@
 #include "io/picture/report_parts.h"
 #include "io/picture/report_words.h"
 #include "io/picture/text.h"
+#include "search/plans/plan_row.h"
 
 namespace coapt {
 namespace {
@@ -160,8 +162,7 @@ std::string opening_figure(const RankedPlan& plan) {
 
 std::string durability_figure(const RankedPlan& plan) {
   if (!plan.durability) return "";
-  return key_figure("Reserve against progression",
-                    known_figure(plan.estimates.durability_mm) + " mm",
+  return key_figure("Reserve against progression", row_of(plan).reserve,
                     "of papillary displacement until the leak exceeds " + shown(kMildLeak_mm2) +
                         " mm²; " + percent(plan.durability->outlasting) +
                         " of simulated courses exceed " + shown(kFurthestCourse_mm) + " mm");
@@ -260,41 +261,52 @@ std::string care(const RankedPlan& plan) {
   return html + "</div>\n";
 }
 
-std::string other_row(const PlanReport& report, const RankedPlan& plan, bool in_front) {
+constexpr const char* kHeads[] = {"Residual leak<br>(&lt; 5 mm²)", "Reserve",
+                                  "Opening,<br>gradient", "Effort"};
+constexpr const char* kNames[] = {"residual leak", "reserve", "opening and gradient", "effort"};
+constexpr std::string PlanRow::*kCells[] = {&PlanRow::leak, &PlanRow::reserve, &PlanRow::opening,
+                                            &PlanRow::effort};
+
+std::string other_row(const PlanReport& report, std::size_t index, bool in_front,
+                      const PlanRow& row, const PlanRow& shared) {
+  const RankedPlan& plan = report.result.plans[index];
   const std::string rank = std::to_string(plan.rank);
-  const LeakStatistics& leak = plan.region.leak_mm2;
   std::string html = in_front ? "<tr class=\"this\">" : "<tr>";
   html += "<th scope=\"row\">" +
           (is_told(report, plan) ? "<a href=\"#plan-" + rank + "\">" + rank + "</a>" : rank) +
           (plan.is_acceptable ? " <span class=\"badge\">acceptable</span>" : "") +
-          "</th><td class=\"words\">" + escape_html(short_words(plan)) +
-          (plan.ties_with_next ? " <em>(tie)</em>" : "") + "</td>";
-  for (const std::string& cell : {mean_and_sd(leak), fixed(leak.p95, 1), percent(leak.below_5),
-                                  suture_margin(plan.region.margin_to_leak) + " · " +
-                                      angle_margin(plan.region.margin_to_leak),
-                                  fixed(plan.effort.sizes_below, 1),
-                                  fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
-                                      fixed(plan.effort.posteromedial_movement_mm, 1),
-                                  fixed(plan.measure.tension_max_n, 2)})
-    html += "<td>" + escape_html(cell) + "</td>";
-  return html + "</tr>\n";
+          "</th><td class=\"words\">" + escape_html(short_words(plan)) + "</td>";
+  for (const auto cell : kCells)
+    if ((shared.*cell).empty()) html += "<td>" + escape_html(row.*cell) + "</td>";
+  return html + "<td>" + std::to_string(plan.warnings.size()) + "</td></tr>\n";
+}
+
+/// What all plans share, once.
+std::string shared_words(const PlanRow& shared) {
+  std::string words;
+  for (std::size_t i = 0; i < std::size(kCells); ++i)
+    if (const std::string& cell = shared.*kCells[i]; !cell.empty())
+      words += (words.empty() ? "All plans: " : "; ") + std::string(kNames[i]) + ": " + cell;
+  return words.empty() ? "" : "<p class=\"small\">" + escape_html(words) + ".</p>\n";
 }
 
 std::string others(const PlanReport& report, std::size_t front) {
   const std::vector<RankedPlan>& plans = report.result.plans;
   if (plans.size() < 2) return "";
+  std::vector<PlanRow> rows;
+  for (const RankedPlan& plan : plans) rows.push_back(row_of(plan));
+  const PlanRow shared = take_shared(rows);
   std::string html =
-      "<div class=\"others\"><h3>Comparison with the other plans</h3>\n<div "
-      "class=\"scroll\"><table "
-      "class=\"dense\"><thead><tr><th scope=\"col\">Rank</th><th scope=\"col\" "
-      "class=\"words\">Operation</th><th scope=\"col\">Leak, mm²<br>mean ± sd</th><th "
-      "scope=\"col\">95th<br>percentile</th><th scope=\"col\">Below<br>5 mm²</th><th "
-      "scope=\"col\">Margin<br>mm · °</th><th scope=\"col\">Sizes<br>below</th><th "
-      "scope=\"col\">Displaced, mm<br>AL / PM</th><th "
-      "scope=\"col\">Tension<br>N</th></tr></thead><tbody>\n";
+      "<div class=\"others\"><h3>Comparison with the other plans</h3>\n" + shared_words(shared) +
+      "<div class=\"scroll\"><table class=\"dense\"><thead><tr><th scope=\"col\">Rank</th><th "
+      "scope=\"col\" class=\"words\">Operation</th>";
+  for (std::size_t i = 0; i < std::size(kCells); ++i)
+    if ((shared.*kCells[i]).empty())
+      html += "<th scope=\"col\">" + std::string(kHeads[i]) + "</th>";
+  html += "<th scope=\"col\">Warnings</th></tr></thead><tbody>\n";
   const std::size_t first = front < kOthersShown ? kOthersShown : kOthersShown - 1;
   for (std::size_t i = 0; i < plans.size(); ++i)
-    if (i < first || i == front) html += other_row(report, plans[i], i == front);
+    if (i < first || i == front) html += other_row(report, i, i == front, rows[i], shared);
   html += "</tbody></table></div>\n";
   if (plans.size() > kOthersShown)
     html += "<p class=\"small\">" + std::to_string(plans.size() - kOthersShown) +

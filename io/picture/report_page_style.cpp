@@ -29,7 +29,7 @@ font-size:1rem}
 .first dl{grid-template-columns:repeat(4,minmax(0,1fr));gap:.5rem;margin:.3rem 0}
 .first dl div{padding:.35rem .6rem}.first dd{font-size:1.08rem}.first dd small{font-size:.76rem}
 .first .small{margin:.2rem 0}.first ul{margin:.2rem 0}
-.first .dense td,.first .dense th{padding:.25rem .36rem}
+.first .dense td,.first .dense th{padding:.25rem .36rem;text-align:left}
 .this td,.this th{background:var(--good-paper)}
 tbody th{font-size:inherit;color:inherit;text-align:left}
 .first .badge{display:inline-block;margin:0 0 0 .2rem}#ranked .badge{margin-left:0}

@@ -32,59 +32,55 @@ std::string failed_draws(const RankedPlan& plan) {
 std::string tissue_words(const Estimate& leak) {
   if (!leak.tissue) return "unknown";
   const double half = 0.5 * (leak.tissue->high - leak.tissue->low);
-  return known_digits(leak.tissue->low, half) + " to " + known_digits(leak.tissue->high, half) +
+  return known_tenths(leak.tissue->low, half) + " to " + known_tenths(leak.tissue->high, half) +
          " mm² (5 to 95 %)";
 }
 
-std::vector<std::string> remarks_on(const RankedPlan& plan) {
-  std::vector<std::string> remarks = plan.warnings;
+std::vector<std::string> doubts_about(const RankedPlan& plan) {
+  std::vector<std::string> doubts = plan.warnings;
   if (plan.status != ClosureStatus::Converged)
-    remarks.push_back(std::string("closure: ") + to_string(plan.status));
-  if (plan.crossing) remarks.push_back("leaflets cross");
+    doubts.push_back(std::string("closure: ") + to_string(plan.status));
+  if (plan.crossing) doubts.push_back("leaflets cross");
+  return doubts;
+}
+
+/// Of the leak on the finer mesh and in variants of the model.
+std::string checked_words(const RankedPlan& plan) {
+  std::string words;
   if (plan.fine)
-    remarks.push_back(
-        "on the finer mesh: leak " +
+    words +=
+        "Leak on the finer mesh " +
         with_error(plan.fine->leak_mm2, plan.fine_leak_error_mm2, "mm²") +
         (plan.own_mesh_rank == plan.rank || plan.own_mesh_rank == 0
              ? ""
-             : "; on the valve's own mesh it ranks " + std::to_string(plan.own_mesh_rank)));
+             : "; on the valve's own mesh the plan ranks " + std::to_string(plan.own_mesh_rank)) +
+        ". ";
   if (plan.model)
-    remarks.push_back("under " + counted(plan.model->draws, "draw") +
-                      " of tissue and chordae: leak " + tissue_words(plan.estimates.leak_mm2) +
-                      failed_draws(plan));
-  return remarks;
-}
-
-std::string ahead_words(const RankedPlan& plan) {
-  const double ahead = plan.probability_outranks_next;
-  if (!std::isfinite(ahead)) return "";
-  return plan.ties_with_next ? "same class" : percent(ahead);
-}
-
-/// As on the page: with the closure on the finer mesh and what it does not outlast.
-double ranked_cost(const RankedPlan& plan) {
-  return plan.cost + plan.fine_cost_change + plan.durability_price;
+    words += "Leak in " + counted(plan.model->draws, "variant") + " of tissue and chordae " +
+             tissue_words(plan.estimates.leak_mm2) + failed_draws(plan) + ".";
+  return words.empty() ? "" : "<p class=\"small\">" + escape_html(words) + "</p>";
 }
 
 std::string rows_of(const RankedPlan& plan) {
   const LeakStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& to_leak = plan.region.margin_to_leak;
-  const std::vector<std::string> remarks = remarks_on(plan);
-  std::string html = remarks.empty() ? "<tr>" : "<tr class=\"has-more\">";
+  const std::vector<std::string> doubts = doubts_about(plan);
+  const std::string checked = checked_words(plan);
+  const bool more = !doubts.empty() || !checked.empty();
+  std::string html = more ? "<tr class=\"has-more\">" : "<tr>";
   html += rank_cell(plan) + "<td class=\"words\">";
   if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong><br>";
   html += escape_html(short_words(plan)) + "</td>";
   for (const std::string& figure :
-       {with_error(plan.measure.leak.area_mm2, plan.measure.leak_error_mm2), mean_and_sd(leak),
-        fixed(leak.p95, 1), fixed(leak.worst, 1), percent(leak.below_5), suture_margin(to_leak),
-        angle_margin(to_leak), fixed(plan.measure.coaptation.height_mean_mm, 1),
-        fixed(plan.measure.tension_max_n, 2), fixed(ranked_cost(plan), plan.cost < 1000.0 ? 1 : 0),
-        ahead_words(plan)})
+       {words_of(plan.estimates.leak_mm2).value, mean_and_sd(leak), fixed(leak.p95, 1),
+        fixed(leak.worst, 1), percent(leak.below_5), suture_margin(to_leak), angle_margin(to_leak),
+        fixed(plan.measure.coaptation.height_mean_mm, 1), fixed(plan.measure.tension_max_n, 2)})
     html += cell(figure);
   html += "</tr>\n";
-  if (!remarks.empty())
-    html += "<tr class=\"more\"><td></td><td class=\"words warning\" colspan=\"12\">" +
-            list_html(remarks) + "</td></tr>\n";
+  if (more)
+    html += "<tr class=\"more\"><td></td><td class=\"words\" colspan=\"10\">" +
+            (doubts.empty() ? "" : list_html(doubts, "<ul class=\"warning\">")) + checked +
+            "</td></tr>\n";
   return html;
 }
 
@@ -177,11 +173,11 @@ std::string ranked_section(const PlanReport& report) {
   std::string html =
       "<section id=\"ranked\"><h2>All ranked plans</h2>\n<div class=\"scroll\"><table "
       "class=\"dense\"><thead>"
-      "<tr><td class=\"group\" colspan=\"2\"></td><th scope=\"colgroup\" class=\"group\" "
-      "colspan=\"2\">As planned</th>"
+      "<tr><td class=\"group\" colspan=\"2\"></td><th scope=\"colgroup\" class=\"group\">As "
+      "planned</th>"
       "<th scope=\"colgroup\" class=\"group\" colspan=\"4\">Leak with errors of execution</th>"
       "<th scope=\"colgroup\" class=\"group\" colspan=\"2\">Margin to leak</th>"
-      "<td class=\"group\" colspan=\"4\"></td></tr>"
+      "<td class=\"group\" colspan=\"2\"></td></tr>"
       "<tr><th scope=\"col\">Rank</th><th scope=\"col\" class=\"words\">Steps</th><th "
       "scope=\"col\">Leak<br>mm²</th>"
       "<th scope=\"col\">mean ± sd<br>mm²</th><th scope=\"col\">95th p.<br>mm²</th><th "
@@ -189,8 +185,7 @@ std::string ranked_section(const PlanReport& report) {
       "<th scope=\"col\">below<br>5 "
       "mm²</th><th scope=\"col\">length<br>mm</th><th scope=\"col\">angle<br>°</th><th "
       "scope=\"col\">Coap-<br>tation<br>mm</th>"
-      "<th scope=\"col\">Tension<br>N</th><th scope=\"col\">Cost</th><th scope=\"col\">Ahead "
-      "of<br>the next</th></tr></thead><tbody>\n";
+      "<th scope=\"col\">Tension<br>N</th></tr></thead><tbody>\n";
   for (const RankedPlan& plan : result.plans) html += rows_of(plan);
   return html +
          "</tbody></table></div>\n<p class=\"small\">Leak: the smallest area through which blood "
@@ -199,13 +194,11 @@ std::string ranked_section(const PlanReport& report) {
          "with a lower leak. Margin: the smallest error with a leak above 1 mm² (0 if the plan "
          "itself leaks more); length: of a suture, or without one of the distance from tip to "
          "trigone. Coaptation: mean height over nine sections. Tension: highest in any chorda. "
-         "Cost: the objective of the search, in mm². Ahead of the next: probability that the plan "
-         "is better than the next one; plans of one class are equivalent. Acceptable: leaks less "
+         "Acceptable: leaks less "
          "than 5 mm² with a probability of at least 95 %, given the errors of execution, tissue "
          "and mesh, and complies with all rules of practice. Pareto: Pareto-optimal among the "
-         "ranked "
-         "plans "
-         "in leak (mean + sd), opening and durability. The leak is anatomic, not an effective "
+         "ranked plans in leak (mean + sd), opening and reserve. The leak is anatomic, not an "
+         "effective "
          "regurgitant orifice area.</p>\n" +
          trade_offs(result) + "</section>\n";
 }

@@ -84,38 +84,10 @@ std::string counts(const SearchResult& result) {
   words += ". ";
   if (is_search(result))
     words += grouped(result.plans_tried) + ' ' + noun_of(result.plans_tried, "plan") +
-             " tried of " + grouped(result.plans_possible) + " possible ones in " +
-             grouped(result.branches) + ' ' + noun_of(result.branches, "branch", "branches") + ". ";
+             " tried of " + grouped(result.plans_possible) + " possible ones. ";
   words += is_search(result) ? stop_sentence(result.stop)
                              : "The given plans were scored as a search scores its finalists.";
   return "<p>" + escape_html(words) + "</p>\n";
-}
-
-std::string ladder_table(const std::vector<LadderStep>& ladder) {
-  if (ladder.empty()) return "";
-  std::vector<std::vector<std::string>> cells = {
-      {"Closures per plan", "then", "Plans compared", "Rank correlation", "Trusted"}};
-  for (const LadderStep& step : ladder)
-    cells.push_back({grouped(step.from), grouped(step.to), grouped(step.plans),
-                     fixed(step.spearman, 2),
-                     std::isnan(step.spearman) ? "not measured"
-                     : step.skipped            ? "no"
-                                               : "yes"});
-  return "<h3>Accuracy of screening</h3>\n" + table_html(cells) +
-         "<p class=\"small\">Spearman rank correlation of costs from few and from more closures; 0 "
-         "closures: geometry only. Below 0.80 no plan is discarded on the cheaper cost alone, and "
-         "more plans are closed further.</p>\n";
-}
-
-std::string subset_table(const std::vector<RankedPlan>& plans) {
-  if (plans.empty()) return "";
-  std::vector<std::vector<std::string>> cells = {
-      {"Rank", "Nodes at selection", "Cost over these", "Nodes closed", "Cost over common nodes"}};
-  for (const RankedPlan& plan : plans)
-    cells.push_back({std::to_string(plan.rank), grouped(plan.subset_nodes),
-                     fixed(plan.subset_cost, 1), grouped(plan.region.closures),
-                     fixed(plan.cost, 1)});
-  return "<h3>Cost on a subset and on the full grid</h3>\n" + table_html(cells);
 }
 
 std::string cut_table(const std::vector<CutBranches>& cut) {
@@ -132,9 +104,7 @@ std::string search_section(const SearchResult& result) {
     return "<section id=\"search\"><h2>How the plans were scored</h2>\n" + counts(result) +
            "</section>\n";
   return "<section id=\"search\"><h2>How the search went</h2>\n" + counts(result) +
-         progress_chart(result) + "<div class=\"pair\"><div>" + subset_table(result.plans) +
-         "</div><div>" + ladder_table(result.ladder) + "</div></div>\n" + cut_table(result.cut) +
-         "</section>\n";
+         progress_chart(result) + cut_table(result.cut) + "</section>\n";
 }
 
 }  // namespace coapt

@@ -12,7 +12,10 @@ using TableRows = std::vector<std::vector<std::string>>;  ///< the first is the 
 /// Three digits, "-" of what is not finite.
 std::string figure_cell(double value);
 
-/// Columns aligned: the first to the left, the others to the right. A character of UTF-8 is one column wide.
+/// Columns that a text takes: a character of UTF-8 is one wide.
+int width_of(const std::string& text);
+
+/// Columns aligned: the first to the left, the others to the right.
 void print_table(std::ostream& out, const TableRows& rows);
 
 }  // namespace coapt

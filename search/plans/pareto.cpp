@@ -13,7 +13,7 @@
 namespace coapt {
 namespace {
 
-/// Of a plan, each less being better: leak, opening, durability; last the price of the operation, which decides where
+/// Of a plan, each less being better: leak, opening, durability; last the effort of the operation, which decides where
 /// the others are alike.
 using Objectives = std::array<double, 4>;
 
@@ -29,7 +29,7 @@ bool beats(const Objectives& a, const Objectives& b) {
 double tenths(double value) { return std::round(10.0 * value); }
 
 struct Candidate {
-  double leak_mm2 = 0.0, price = 0.0;
+  double leak_mm2 = 0.0, effort = 0.0;
   std::optional<double> opening_mm2, durability_mm;
 };
 
@@ -47,10 +47,10 @@ std::vector<Beaten> beaten(const std::vector<Candidate>& all) {
   std::vector<Objectives> objectives;
   for (const Candidate& one : all)
     objectives.push_back({tenths(one.leak_mm2),
-                          opened ? -tenths(0.01 * *one.opening_mm2) : one.price,
-                          lasts ? -tenths(*one.durability_mm) : 0.0, one.price});
-  const std::array<const char*, 4> names = {"leak", opened ? "opening" : "operation", "durability",
-                                            "operation"};
+                          opened ? -tenths(0.01 * *one.opening_mm2) : one.effort,
+                          lasts ? -tenths(*one.durability_mm) : 0.0, one.effort});
+  const std::array<const char*, 4> names = {"leak", opened ? "opening" : "effort", "reserve",
+                                            "effort"};
   std::vector<Beaten> found(all.size());
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t other = 0; other < all.size() && !found[i].by; ++other) {
@@ -68,9 +68,20 @@ std::optional<double> opening_of(const std::optional<PlanOpening>& opening) {
   return opening->measure.opening_area_mm2;
 }
 
+/// Less is simpler, as where the rule ranks (plan_order.h): steps, then muscles, then whole sizes.
+double simplicity_of(const RankedPlan& plan) {
+  constexpr double kPerStep = 1e4, kPerMuscle = 1e2;
+  const std::vector<RepairStep>& steps = plan.plan.steps;
+  const auto muscles = std::count_if(steps.begin(), steps.end(), [](const RepairStep& step) {
+    return std::holds_alternative<PapillaryApproximation>(step);
+  });
+  return kPerStep * plan.effort.steps + kPerMuscle * static_cast<double>(muscles) +
+         std::round(plan.effort.sizes_below);
+}
+
 }  // namespace
 
-void mark_pareto(const CostWeights& weights, std::vector<RankedPlan>& plans) {
+void mark_pareto(std::vector<RankedPlan>& plans) {
   std::vector<RankedPlan*> eligible;
   std::vector<Candidate> candidates;
   for (RankedPlan& plan : plans) {
@@ -79,7 +90,7 @@ void mark_pareto(const CostWeights& weights, std::vector<RankedPlan>& plans) {
     if (!trusted(plan) || plan.region.failures > 0 || std::isnan(leak) || is_stenotic(plan.opening))
       continue;
     eligible.push_back(&plan);
-    candidates.push_back({leak, effort_price(plan.effort, weights), opening_of(plan.opening), {}});
+    candidates.push_back({leak, simplicity_of(plan), opening_of(plan.opening), {}});
     if (plan.durability) candidates.back().durability_mm = plan.durability->expected_mm;
   }
   const std::vector<Beaten> found = beaten(candidates);

@@ -9,13 +9,13 @@
 namespace coapt {
 
 /// By three objectives, to the digits that are printed (0.1 mm2, 0.1 cm2, 0.1 mm): mean + sd of the leak, opening, durability; then, where all are
-/// alike, by the price of the operation. Unless all plans were opened the price stands for the opening; durability that is not known of all is left
+/// alike, by the effort. Unless all plans were opened the effort stands for the opening; durability that is not known of all is left
 /// out; a plan whose closures fail, or that is_stenotic(), is in no front.
 ///
-/// Sets RankedPlan::pareto, beaten_by and beaten_in.
-void mark_pareto(const CostWeights& weights, std::vector<RankedPlan>& plans);
+/// Sets RankedPlan::pareto, beaten_by and beaten_in; of ranked plans the effort is what makes one simpler by the rule that ranks (plan_order.h).
+void mark_pareto(std::vector<RankedPlan>& plans);
 
-/// Of plans closed at `nodes`, cheapest first. Where what some trade is known (trade_off.h), of these alone.
+/// Of plans closed at `nodes`, cheapest first; the effort is its price. Where what some trade is known (trade_off.h), of these alone.
 std::vector<ParetoPlan> pareto_front(const PlanEvaluations& evaluations,
                                      const std::vector<const PlanRecord*>& plans, int nodes);
 

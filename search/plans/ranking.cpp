@@ -413,7 +413,7 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
                           : probability_ahead(acceptances[index], acceptances[order[i + 1].index]);
     result.push_back(std::move(plan));
   }
-  mark_pareto(evaluations.context().weights, result);
+  mark_pareto(result);
   return result;
 }
 

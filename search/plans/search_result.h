@@ -83,7 +83,7 @@ struct RankedPlan {
   int times_first = 0;
   /// No other ranked plan is as good in mean + sd of the leak, opening and durability, and better in one (pareto.h).
   bool pareto = false;
-  /// Rank of a plan that is, and in what it is better: "leak", "opening", "durability" or "operation"; 0 where none is.
+  /// Rank of a plan that is, and in what it is better: "leak", "opening", "reserve" or "effort"; 0 where none is.
   int beaten_by = 0;
   std::vector<std::string> beaten_in;
 };

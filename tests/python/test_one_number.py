@@ -134,15 +134,14 @@ class OneNumber(EngineTest):
             self.assert_printed(unit * value, self.report, before=words)
         self.assert_printed(0.01 * plan["opening_area_mm2"], self.closed_words, before="opening")
         self.assert_printed(plan["gradient_mmhg"], self.closed_words, before="mean gradient")
-        area, gradient = self.columns()[4:6]
-        self.assert_printed(0.01 * plan["opening_area_mm2"], area, before="")
-        self.assert_printed(plan["gradient_mmhg"], gradient, before="")
+        row = plan["row"]
+        self.assert_printed(0.01 * plan["opening_area_mm2"], row["opening"], before="", after=" cm²")
+        self.assert_printed(plan["gradient_mmhg"], row["opening"], before="cm²,", after=" mmHg")
 
-    def columns(self):
-        """Of the first plan's row: rank, leak left (words), probability, bears, opens, gradient."""
-        row = re.search(r"\b1 (none or trace|mild|[\d.]+ mm2) +([\d.]+) % +(\S+) +(\S+) +(\S+) ", self.words)
-        self.assertIsNotNone(row, self.words)
-        return ("1", *row.groups())
+    def test_row(self):
+        row, python = self.ranked()["row"], self.python.plans[0]
+        self.assert_value(row, python.json["row"])
+        self.assertRegex(self.words, r"\b1 +" + " +".join(re.escape(cell) for cell in row.values()))
 
     def test_coaptation(self):
         plan, python = self.ranked(), self.python.plans[0]
@@ -184,7 +183,7 @@ class OneNumber(EngineTest):
         self.assert_value(likely, python.acceptable_probability)
         self.assert_value(self.scored["verdict"], self.python.json["verdict"])
         printed = {
-            self.columns()[2],
+            re.search(rf"\(({NUMBER}) %\)", plan["row"]["leak"])[1],
             *re.findall(rf"less than 5 mm² with a probability of ({NUMBER}) %", self.words + self.report),
         }
         self.assertEqual(len(printed), 1, printed)

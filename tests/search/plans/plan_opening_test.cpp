@@ -176,7 +176,7 @@ RankedPlan ranked(double leak_mm2, double opens_mm2, double lasts_mm, int steps)
 }
 
 std::vector<bool> fronts(std::vector<RankedPlan> plans) {
-  mark_pareto({}, plans);
+  mark_pareto(plans);
   std::vector<bool> marked;
   for (const RankedPlan& plan : plans) marked.push_back(plan.pareto);
   return marked;
@@ -186,6 +186,14 @@ TEST(MarkPareto, GoesByLeakOpeningAndDurabilityAsPrinted) {
   EXPECT_EQ(fronts({ranked(0.10, 300.0, 4.0, 2), ranked(0.14, 301.0, 4.01, 1),
                     ranked(0.1, 350.0, 3.0, 1), ranked(0.3, 300.0, 3.0, 1)}),
             (std::vector{false, true, true, false}));
+}
+
+TEST(MarkPareto, ATieGoesToTheSimplerPlanWhateverItMoves) {
+  std::vector<RankedPlan> plans = {ranked(0.1, 300.0, 4.0, 1), ranked(0.1, 300.0, 4.0, 1)};
+  plans[0].effort.posteromedial_movement_mm = 6.0;
+  EXPECT_EQ(fronts(plans), (std::vector{true, true}));
+  plans[1].effort.sizes_below = 2.0;
+  EXPECT_EQ(fronts(plans), (std::vector{true, false}));
 }
 
 TEST(MarkPareto, LeavesOutAnObjectiveThatIsNotKnownOfAllAndStenoticPlans) {

@@ -116,9 +116,6 @@ export function planCard(plan: RankedPlan, context: CardContext): HTMLElement {
   )
 }
 
-/// As the card calls what `beaten_by` names.
-const OBJECTIVES: Record<string, string> = { durability: 'reserve', operation: 'effort' }
-
 function badges(plan: RankedPlan): HTMLElement[] {
   const badge = (tone: string, ...words: Child[]) => h('span', { class: `${parts.badge} ${parts[tone]}` }, ...words)
   return [
@@ -126,12 +123,7 @@ function badges(plan: RankedPlan): HTMLElement[] {
     ...(plan.tie_with_next ? [badge('soft', '= equivalent to the next')] : []),
     ...(plan.pareto ? [badge('soft', term('pareto', 'Pareto'))] : []),
     ...(plan.beaten_by
-      ? [
-          badge(
-            'soft',
-            `plan ${plan.beaten_by.rank} is better in ${plan.beaten_by.in.map((one) => OBJECTIVES[one] ?? one).join(' and ')}`,
-          ),
-        ]
+      ? [badge('soft', `plan ${plan.beaten_by.rank} is better in ${plan.beaten_by.in.join(' and ')}`)]
       : []),
   ]
 }

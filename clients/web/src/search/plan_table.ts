@@ -3,10 +3,10 @@
 import type { Plan, RankedPlan, SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h, type Child } from '../dom'
-import { number } from '../format'
+import { number, withUnit } from '../format'
 import { term } from '../help/term'
 import { describe } from '../repair/steps'
-import { FURTHEST_DISEASE_MM, isAcceptable, meanAndSdCell, openingMm2, type Opened } from './figures'
+import { FURTHEST_DISEASE_MM, isAcceptable, openingMm2, type Opened } from './figures'
 import { costOf, type Wanted, type Weights } from './price'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -17,18 +17,34 @@ export interface PlanTable {
   show(order: RankedPlan[], wanted: Wanted): void
 }
 
-const columns = (): [label: Child, unit: string][] => [
-  [term('cost', 'Cost'), 'mm²'],
-  [term('region', 'Leak'), 'mean ± sd, mm²'],
-  ['Leak', '95th pct., mm²'],
-  [term('opening', 'Opening'), 'cm²'],
-  [term('durability', 'Reserve'), 'mm'],
-  [term('coaptation', 'Coaptation'), 'mean (min), mm'],
-  [term('tension', 'Tension'), 'N'],
-  ['Steps', ''],
-  ['Undersized', 'sizes'],
-  ['Displacement', 'AL / PM, mm'],
-]
+type Row = NonNullable<RankedPlan['row']>
+
+interface Column {
+  cell: keyof Row
+  label: Child
+  shared: string | undefined // by all plans
+}
+
+/// Results of earlier releases have no rows.
+function columnsOf(plans: RankedPlan[]): Column[] {
+  const column = (cell: keyof Row, label: Child): Column => {
+    const cells = new Set(plans.map(({ row }) => row?.[cell]))
+    return { cell, label, shared: plans.length > 1 && cells.size === 1 ? [...cells][0] : undefined }
+  }
+  return [
+    column('leak', term('region', 'Residual leak (< 5 mm²)')),
+    column('reserve', term('durability', 'Reserve')),
+    column('opening', term('opening', 'Opening, gradient')),
+    column('effort', 'Effort'),
+  ]
+}
+
+/// Of all plans, if there is more than one.
+export function sharedWarnings(plans: RankedPlan[]): string[] {
+  const [first, ...others] = plans
+  if (!first || others.length === 0) return []
+  return first.warnings.filter((warning) => others.every(({ warnings }) => warnings.includes(warning)))
+}
 
 export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => string): PlanTable {
   const { before, plans } = result
@@ -37,56 +53,31 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
     plan,
     box: h('input', { type: 'checkbox', 'aria-label': `Compare plan ${plan.rank}` }),
     note: h('span', { class: searchStyle.tie, 'data-part': 'place' }),
-    cost: h('span', {}),
   }))
-  const asItIs: Child[] = [
-    'Before',
-    '',
-    '',
-    number(before.leak_mm2),
-    '',
-    opening(before),
-    '',
-    coaptation(before.coaptation),
-    number(before.tension_max_n, 2),
-    '',
-    '',
-    '',
-  ]
-  const rows = lines.map(({ plan, box, note, cost }): Child[] => [
+  const all = columnsOf(plans)
+  const columns = all.filter(({ shared }) => shared === undefined)
+  const everyones = sharedWarnings(plans)
+  const beforeCells: Partial<Row> = { leak: `${number(before.leak_mm2)} mm²`, opening: opening(before) }
+  const asItIs: Child[] = ['Before', '', ...columns.map(({ cell }) => beforeCells[cell] ?? ''), '']
+  const rows = lines.map(({ plan, box, note }): Child[] => [
     rankCell(plan, cardId(plan), box, note),
     shortSteps(plan.plan),
-    cost,
-    meanAndSdCell(plan.leak_mm2),
-    number(plan.leak_mm2.p95),
-    opening(plan),
-    outlasts(plan),
-    coaptation(plan.measure.coaptation),
-    number(plan.measure.tension_max_n, 2),
-    plan.steps,
-    number(plan.ring_sizes_below),
-    `${number(plan.anterolateral_movement_mm)} / ${number(plan.posteromedial_movement_mm)}`,
+    ...columns.map(({ cell }) => plan.row?.[cell] ?? ''),
+    warningList(plan.warnings.filter((warning) => !everyones.includes(warning))),
   ])
   const table = dataTable(
     'All ranked plans',
-    [
-      { label: 'Rank' },
-      { label: 'Plan' },
-      ...columns().map(([label, unit]) => ({
-        label: h('span', {}, label, h('small', { class: searchStyle.unit }, unit)),
-        numeric: true,
-      })),
-    ],
+    [{ label: 'Rank' }, { label: 'Plan' }, ...columns.map(({ label }) => ({ label })), { label: 'Warnings' }],
     [asItIs, ...rows],
   )
   const [, ...places] = table.querySelectorAll('tbody tr') // by the plans, as they were made
 
   function show(order: RankedPlan[], { weights, by }: Wanted): void {
     const isOwn = by === ''
-    lines.forEach(({ plan, note, cost }, i) => {
+    lines.forEach(({ plan, note }, i) => {
       const place = order.indexOf(plan)
-      cost.textContent = number(costOf(plan, own, weights), 2)
-      note.replaceChildren(...(isOwn ? tieNote(plan) : moved(i + 1, place + 1)))
+      const cost = `cost ${withUnit(costOf(plan, own, weights), 'mm²', 2)}`
+      note.replaceChildren(...(isOwn ? tieNote(plan) : [...moved(i + 1, place + 1), ` ${cost}`]))
       note.classList.toggle(searchStyle.moved as string, !isOwn)
     })
     const body = table.querySelector('tbody')
@@ -94,7 +85,27 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
   }
 
   show(plans, { weights: own, by: '' })
-  return { element: h('div', { class: searchStyle.ranked }, table), boxes: lines.map(({ box }) => box), show }
+  const element = h('div', { class: searchStyle.ranked }, ...sharedNote(all, everyones), table)
+  return { element, boxes: lines.map(({ box }) => box), show }
+}
+
+/// What stands once for all plans.
+function sharedNote(columns: Column[], warnings: string[]): HTMLElement[] {
+  const cells = columns.filter(({ shared }) => shared !== undefined)
+  if (cells.length === 0 && warnings.length === 0) return []
+  const named = cells.map(({ label, shared }) =>
+    h('span', { class: searchStyle.shared }, label, ': ', h('b', {}, shared)),
+  )
+  return [h('div', { 'data-part': 'all-plans' }, h('p', {}, 'All plans: ', ...named), warningList(warnings))]
+}
+
+function warningList(warnings: string[]): Child {
+  if (warnings.length === 0) return ''
+  return h(
+    'ul',
+    { class: `${searchStyle.short} ${searchStyle.warnings}` },
+    ...warnings.map((text) => h('li', {}, text)),
+  )
 }
 
 export function shortSteps({ steps }: Plan): Child {
@@ -132,14 +143,10 @@ function moved(from: number, to: number): Node[] {
 
 function opening(of: Opened): string {
   const area_mm2 = openingMm2(of)
-  return number(area_mm2 === null ? null : area_mm2 / 100)
+  return withUnit(area_mm2 === null ? null : area_mm2 / 100, 'cm²')
 }
 
 /// "8.4", "≥ 12.0"
 export function outlasts({ durability_mm }: Pick<RankedPlan, 'durability_mm'>): string {
   return `${(durability_mm ?? 0) >= FURTHEST_DISEASE_MM ? '≥ ' : ''}${number(durability_mm)}`
-}
-
-function coaptation({ height_mean_mm, height_min_mm }: RankedPlan['measure']['coaptation']): string {
-  return `${number(height_mean_mm)} (${number(height_min_mm)})`
 }
