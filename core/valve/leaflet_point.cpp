@@ -17,7 +17,8 @@ std::array<double, 3> nearest_weights(const Vec2& a, const Vec2& b, const Vec2& 
   if (twice_area != 0.0) {
     const std::array<double, 3> inside = {cross(b, c) / twice_area, cross(c, a) / twice_area,
                                           cross(a, b) / twice_area};
-    if (*std::min_element(inside.begin(), inside.end()) >= 0.0) return inside;
+    if (*std::min_element(inside.begin(), inside.end()) >= 0.0)
+      return {std::min(1.0, inside[0]), std::min(1.0, inside[1]), std::min(1.0, inside[2])};
   }
   const std::array<Vec2, 3> corner = {a, b, c};
   std::array<double, 3> best{};

@@ -6,6 +6,7 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
+#include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/refine.h"
@@ -53,6 +54,14 @@ TEST(EdgeToEdge, AClipHasRowsOfTiesOverItsGraspAndDrawsTheAnnulusIn) {
   }
   EXPECT_NEAR(ap_diameter_mm(clipped), 0.89 * ap_diameter_mm(valve), 0.01);
   EXPECT_NEAR(transverse_diameter_mm(clipped), transverse_diameter_mm(valve), 1e-9);
+}
+
+TEST(EdgeToEdge, TiesAtVerticesHaveWeightsOfOneAtMost) {
+  for (const char* name : {"porcine-2", "porcine-5"}) {
+    const Expected<Valve> valve = make_preset(name);
+    ASSERT_TRUE(valve);
+    EXPECT_TRUE(apply_plan(*valve, {{EdgeToEdge{.device = EdgeDevice::Clip}}})) << name;
+  }
 }
 
 TEST(EdgeToEdge, TheLargestOfSeveralClipsDrawsTheAnnulusInUnlessARingHoldsIt) {
