@@ -45,7 +45,7 @@ def _index(document, names):
         ]
         parts += [f"## {tag['name'].capitalize()}", tag["description"], "\n".join(["| | |", "|---|---|", *rows])]
     parts += ["## Errors", "Answers that any request may have, each with a [Problem](schemas.md#problem)."]
-    parts += [document["components"]["responses"][name]["description"] for name in ("Refused", "Failed")]
+    parts += [document["components"]["responses"]["OtherProblem"]["description"]]
     listed = "\n".join(name.removesuffix(".md") for name in [*names.values(), "schemas.md"])
     return "\n\n".join([*parts, f"```{{toctree}}\n:hidden:\n\n{listed}\n```"]) + "\n"
 
@@ -73,8 +73,8 @@ def _operation(document, method, path, operation):
 def _answers(document, operation):
     rows, examples = [], []
     for status, answer in operation["responses"].items():
-        if status.endswith("XX"):
-            rows.append((status, "[as any request](index.md#errors)", "`application/problem+json`"))
+        if status == "default":
+            rows.append(("others", "[as any request](index.md#errors)", "`application/problem+json`"))
             continue
         answer = _resolved(document, answer)
         kinds = [

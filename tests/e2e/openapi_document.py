@@ -77,9 +77,9 @@ class Document:
         ]
 
     def response(self, operation, status):
-        """What the operation says of a status, else of its class (4XX)."""
+        """What the operation says of a status, else of any other."""
         responses = operation.json["responses"]
-        return self.resolved(responses.get(str(status)) or responses[f"{status // 100}XX"])
+        return self.resolved(responses.get(str(status)) or responses["default"])
 
     def examples(self, content):
         """By name, from all media types of a "content"."""
