@@ -10,7 +10,6 @@ from client_runs import EngineTest, has_engine
 from programs import NO_COMPETENT_PLAN, OK, coapt, small_valve
 
 
-
 def plan_of(shape, size_mm, *steps):
     return {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": shape, "size_mm": size_mm}, *steps]}
 
