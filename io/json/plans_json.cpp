@@ -193,9 +193,10 @@ Json row_json(const PlanRow& row) {
 
 Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
   const RegionReport& region = ranked.region;
+  const Json plan = to_json(ranked.plan);
   Json json = {{"rank", ranked.rank}};
   if (!ranked.name.empty()) json["name"] = ranked.name;
-  json.update({{"plan", to_json(ranked.plan)},
+  json.update({{"plan", plan},
                {"description", ranked.description},
                {"row", row_json(row_of(ranked))},
                {"leak", leak_json(ranked)},
@@ -206,7 +207,7 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"status", to_string(ranked.status)},
                {"crossing", ranked.crossing},
                {"measure", to_json(ranked.measure)},
-               {"steps", ranked.effort.steps},
+               {"steps", plan["steps"]},
                {"ring_sizes_below", ranked.effort.sizes_below},
                {"anterolateral_movement_mm", ranked.effort.anterolateral_movement_mm},
                {"posteromedial_movement_mm", ranked.effort.posteromedial_movement_mm},
@@ -244,11 +245,12 @@ Json progress_json(const Progress& progress) {
 }
 
 Json pareto_json(const ParetoPlan& plan) {
-  return {{"plan", to_json(plan.plan)},
+  const Json document = to_json(plan.plan);
+  return {{"plan", document},
           {"description", plan.description},
           {"mean_mm2", plan.mean_mm2},
           {"sd_mm2", plan.sd_mm2},
-          {"steps", plan.steps},
+          {"steps", document["steps"]},
           {"ring_sizes_below", plan.sizes_below},
           {"opening_mm2", plan.opening_mm2},
           {"durability_mm", plan.durability_mm},

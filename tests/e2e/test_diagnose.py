@@ -42,6 +42,7 @@ class Diagnose(ProgramTest):
     def test_a_competent_valve_gets_no_operation(self):
         result, code = first_plan("human-normal")
         self.assertEqual((code, len(result["plans"])), (OK, 1))
+        self.assertEqual(result["plans"][0]["steps"], [])
         self.assertEqual(result["plans"][0]["plan"]["steps"], [])
         self.assertTrue(result["diagnosis"]["competent"])
 

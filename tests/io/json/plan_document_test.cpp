@@ -28,7 +28,10 @@ TEST(PlanDocument, IsAPlanAKeptOneOrAListOfThem) {
       {R"({"plans": [{"name": "A", "valve": {}, "plan": )" + kRing + R"(}, {"plan": )" + kRing +
            "}]}",
        {"A", "plan 2"}},
-      {R"({"schema": "coapt.plans/2", "plans": [{"rank": 1, "steps": 1, "name": null, "plan": )" +
+      {R"({"schema": "coapt.plans/2", "plans": [{"rank": 1, "steps": [{}], "name": null, "plan": )" +
+           kRing + "}]}",
+       {"plan 1"}},
+      {R"({"schema": "coapt.plans/1", "plans": [{"rank": 1, "steps": 1, "name": null, "plan": )" +
            kRing + "}]}",
        {"plan 1"}},
       {R"({"kept_plans": [{"name": "B", "plan": )" + kRing + "}]}", {"B"}},

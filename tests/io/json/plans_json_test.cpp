@@ -229,7 +229,8 @@ TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {
   const Json& plan = scene()["plans"][0];
   EXPECT_EQ(plan["rank"], 1);
   EXPECT_EQ(plan["plan"]["schema"], "coapt.plan/1");
-  EXPECT_EQ(plan["steps"], 3);
+  EXPECT_EQ(plan["steps"].size(), 3u);
+  EXPECT_EQ(plan["steps"], plan["plan"]["steps"]);
   EXPECT_EQ(plan["ring_sizes_below"], 2.1);
   EXPECT_EQ(plan["anterolateral_movement_mm"], 4.6);
   EXPECT_EQ(plan["posteromedial_movement_mm"], 11.5);

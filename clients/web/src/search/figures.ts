@@ -117,7 +117,7 @@ export const FIGURES: Figure[] = [
     border: FURTHEST_DISEASE_MM,
   },
   { label: 'Ring sizes below the annulus', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
-  { label: 'Steps', unit: '', digits: 0, value: (p) => p.steps, better: 'lower' },
+  { label: 'Steps', unit: '', digits: 0, value: (p) => p.plan.steps.length, better: 'lower' },
   { label: 'Cost, as ranked', unit: 'mm²', digits: 2, value: rankedCost, better: 'lower' },
 ]
 

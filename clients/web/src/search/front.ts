@@ -70,7 +70,7 @@ export function frontTable(result: Plans): HTMLElement {
         figure(plan.opening_mm2 == null ? null : plan.opening_mm2 / 100),
         outlasts(plan),
         figure(plan.cost),
-        plan.steps,
+        plan.plan.steps.length,
         number(plan.ring_sizes_below),
         plan.nodes,
       ]),

@@ -54,7 +54,7 @@ export function frontPlanOf(plan: Plan, given: Partial<FrontPlan> = {}): FrontPl
     description: ['a ring'],
     mean_mm2: 0.2,
     sd_mm2: 0.1,
-    steps: plan.steps.length,
+    steps: plan.steps,
     ring_sizes_below: 1,
     opening_mm2: 300,
     durability_mm: 9,
