@@ -172,8 +172,10 @@ Json to_json(const Leak& leak, double error_mm2) {
 }
 
 Json to_json(const ValveMeasure& measure) {
+  const Json leak = to_json(measure.leak, measure.leak_error_mm2);
   Json json = {{"leak_mm2", measure.leak.area_mm2},
-               {"leak", to_json(measure.leak, measure.leak_error_mm2)},
+               {"leak_mm2_error", leak["error_mm2"]},
+               {"leak", leak},
                {"coaptation", coaptation_json(measure.coaptation)},
                {"annulus", annulus_json(measure.annulus)},
                {"tenting_height_mm", measure.tenting_height_mm},

@@ -74,6 +74,8 @@ TEST(ResultJson, ALeakHasItsErrorAndWhatIsNotKnownIsNull) {
   ValveMeasure measure;
   measure.leak = {4.0, 3.5, 4.5, {}};
   measure.leak_error_mm2 = 2.5;
+  EXPECT_EQ(to_json(measure)["leak_mm2_error"], to_json(measure)["leak"]["error_mm2"])
+      << "for one release more";
   EXPECT_EQ(
       to_json(measure)["leak"].dump(),
       R"({"area_mm2":4.0,"error_mm2":2.5,"numerical":[1.5,6.5],"tissue":null,"execution":null,)"
