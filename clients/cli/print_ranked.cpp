@@ -244,11 +244,19 @@ void print_plans(std::ostream& out, const Json& plans) {
   }
 }
 
-/// What is not among the plans, and why.
+/// What is not among the plans, and why: what has one reason in one line.
 void print_cut(std::ostream& out, const Json& result) {
-  for (const Json& cut : result["cut"])
-    print_words(out, "Not considered: ",
-                cut["what"].get<std::string>() + ": " + cut["why"].get<std::string>());
+  std::vector<std::pair<std::string, std::string>> by_reason;
+  for (const Json& cut : result["cut"]) {
+    const std::string what = cut["what"], why = cut["why"];
+    const auto same = std::find_if(by_reason.begin(), by_reason.end(),
+                                   [&](const auto& line) { return line.second == why; });
+    if (same == by_reason.end())
+      by_reason.emplace_back(what, why);
+    else
+      same->first += ", " + what;
+  }
+  for (const auto& [what, why] : by_reason) print_words(out, "Not considered: ", what + ": " + why);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0;
 constexpr double kDegenerativeRing =
     0.75;                      // AP over transverse; shorter rings are made for tethered leaflets
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
+constexpr const char* kNotTethered = "the leaflets are not tethered";
 
 Side side_of(int index) { return index == 0 ? Side::Anterolateral : Side::Posteromedial; }
 
@@ -152,7 +153,7 @@ std::vector<std::string> PlanSpace::offer_rings() {
   for (const RingShape& shape : kRingShapes) {
     const std::string name(shape.name);
     if (shape.ap_over_transverse < kDegenerativeRing && !is_indicated(CarpentierType::IIIb)) {
-      cut_.push_back({"ring " + name, "the leaflets are not tethered"});
+      cut_.push_back({"ring " + name, kNotTethered});
       continue;
     }
     sizes.clear();
@@ -203,7 +204,7 @@ std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
     return {std::nullopt};
   }
   if (!is_indicated(CarpentierType::IIIb)) {
-    cut_.push_back({what, "the leaflets are not tethered"});
+    cut_.push_back({what, kNotTethered});
     return {std::nullopt};
   }
   const double distance = anchor_distance_mm(valve_, {.side = side});
@@ -225,8 +226,7 @@ std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
 
 std::vector<int> PlanSpace::offer_neochordae() {
   std::string why;
-  if (lesions_.empty())
-    why = diagnosis_ ? "no segment prolapses" : "no marginal chorda is ruptured";
+  if (lesions_.empty()) why = why_no_lesion();
   for (const Lesion& lesion : lesions_)
     if (is_forbidden(rules_, "neochorda", to_string(lesion.leaflet))) why = "forbidden";
   if (rules_.most_neochordae == 0) why = "not allowed by the rules";
@@ -242,28 +242,54 @@ std::vector<int> PlanSpace::offer_neochordae() {
 
 std::vector<ChordalChoice> PlanSpace::offer_chordal() {
   std::vector<ChordalChoice> offered = {ChordalChoice::None};
-  if (rules_.chordal_excision && !is_forbidden(rules_, "chordal_excision", "") &&
-      !anterior_struts(valve_, coordinates_).empty())
-    offered.push_back(ChordalChoice::CutStruts);
-  if (lesions_.empty()) return offered;
-  if (rules_.chordal_length_change && !is_forbidden(rules_, "chordal_length_change", "") &&
-      !chordae_beside(valve_, coordinates_, lesions_.front(), 1).empty())
-    offered.push_back(ChordalChoice::Shorten);
-  if (rules_.chordal_transfer && !is_forbidden(rules_, "chordal_transfer", "") &&
-      chorda_opposite(valve_, coordinates_, lesions_.front()) >= 0)
-    offered.push_back(ChordalChoice::Transfer);
+  const Lesion* const lesion = lesions_.empty() ? nullptr : &lesions_.front();
+  const auto offer = [&](ChordalChoice choice, const std::string& what, const std::string& why) {
+    if (why.empty())
+      offered.push_back(choice);
+    else
+      cut_.push_back({what, why});
+  };
+  const auto asked = [&](bool on_request, const char* technique) -> std::string {
+    if (is_forbidden(rules_, technique, "")) return "forbidden";
+    return on_request ? "" : "available on request";
+  };
+  const auto at_lesion = [&](std::string why, bool has_chorda, const char* none) {
+    if (why.empty() && lesion == nullptr) why = why_no_lesion();
+    return why.empty() && !has_chorda ? none : why;
+  };
+  std::string cutting = asked(rules_.chordal_excision, "chordal_excision");
+  if (cutting.empty() && !is_indicated(CarpentierType::IIIb)) cutting = kNotTethered;
+  if (cutting.empty() && anterior_struts(valve_, coordinates_).empty())
+    cutting = "the anterior leaflet has no strut chordae";
+  offer(ChordalChoice::CutStruts, "cutting of strut chordae", cutting);
+  offer(ChordalChoice::Shorten, "shortening of chordae",
+        at_lesion(asked(rules_.chordal_length_change, "chordal_length_change"),
+                  lesion != nullptr && !chordae_beside(valve_, coordinates_, *lesion, 1).empty(),
+                  "no intact marginal chorda is beside the lesion"));
+  offer(ChordalChoice::Transfer, "transfer of a chorda",
+        at_lesion(asked(rules_.chordal_transfer, "chordal_transfer"),
+                  lesion != nullptr && chorda_opposite(valve_, coordinates_, *lesion) >= 0,
+                  "no intact marginal chorda is opposite the lesion"));
   return offered;
+}
+
+std::string PlanSpace::why_no_lesion() const {
+  return diagnosis_ ? "no segment prolapses" : "no marginal chorda is ruptured";
 }
 
 std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
   std::vector<LeafletChoice> offered = {LeafletChoice::None};
-  if (lesions_.empty()) return offered;
   const Lesion* const posterior = posterior_lesion();
-  if (!rules_.leaflet_resection) {
+  if (has_step<LeafletResection>(rules_.fixed)) {
+    cut_.push_back({"another resection", "a resection is fixed"});
+  } else if (is_forbidden(rules_, "leaflet_resection", "")) {
+    cut_.push_back({"resection", "forbidden"});
+  } else if (!rules_.leaflet_resection) {
     cut_.push_back({"resection", "available on request"});
   } else if (posterior == nullptr) {
-    cut_.push_back({"resection", "the posterior leaflet does not prolapse"});
-  } else if (!has_step<LeafletResection>(rules_.fixed)) {
+    cut_.push_back({"resection", lesions_.empty() ? why_no_lesion()
+                                                  : "the posterior leaflet does not prolapse"});
+  } else {
     for (const auto& [shape, choice] :
          {std::pair(ResectionShape::Triangular, LeafletChoice::Triangular),
           std::pair(ResectionShape::Quadrangular, LeafletChoice::Quadrangular)})
@@ -273,9 +299,14 @@ std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
       else
         offered.push_back(choice);
   }
-  if (!rules_.edge_to_edge || has_step<EdgeToEdge>(rules_.fixed)) return offered;
-  if (is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Clip)))
+  if (has_step<EdgeToEdge>(rules_.fixed))
+    cut_.push_back({"another clip", "an edge-to-edge repair is fixed"});
+  else if (is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Clip)))
     cut_.push_back({"clip", "forbidden"});
+  else if (!rules_.edge_to_edge)
+    cut_.push_back({"clip", "available on request"});
+  else if (lesions_.empty())
+    cut_.push_back({"clip", why_no_lesion()});
   else
     offered.push_back(LeafletChoice::Clip);
   return offered;

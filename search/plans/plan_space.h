@@ -11,8 +11,7 @@
 //                     place and length; or
 //   resection         on request, where the posterior leaflet prolapses: triangular or quadrangular with sliding, with its width; the anterior
 //                     leaflet then has neochordae, if it prolapses, too
-//   chordal steps     on request: strut chordae cut; chordae beside a lesion shortened; one
-//                     transferred
+//   chordal steps     on request: strut chordae cut where leaflets are tethered; chordae beside a lesion shortened; one transferred
 //   clip              on request, from edge to edge at the highest lesion, with its width
 // Without a diagnosis every ring and suture is offered, and neochordae where marginal chordae are ruptured.
 // Sizes and movements, not lengths, are the axes: a suture's length follows from how far the muscle
@@ -66,6 +65,7 @@ class PlanSpace {
   std::vector<int> offer_neochordae();
   std::vector<ChordalChoice> offer_chordal();
   std::vector<LeafletChoice> offer_leaflet();
+  std::string why_no_lesion() const;
   const Lesion* posterior_lesion() const;
   std::vector<const Lesion*> held_by_neochordae(LeafletChoice leaflet) const;
   bool mends_rightly(const Choice& choice, bool all) const;

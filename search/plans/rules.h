@@ -25,7 +25,7 @@ struct SearchRules {
   int most_neochordae = 4;
   /// Of the marginal chordae beside a lesion.
   bool chordal_length_change = false;
-  /// Of the anterior leaflet's strut chordae.
+  /// Of the anterior leaflet's strut chordae, where leaflets are tethered.
   bool chordal_excision = false;
   /// To a lesion.
   bool chordal_transfer = false;

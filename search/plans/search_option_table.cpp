@@ -86,7 +86,7 @@ constexpr OptionRow<SearchRules> kRules[] = {
     {"chordal_length_change", &SearchRules::chordal_length_change, kAny, "",
      "Allow shortening of the marginal chordae beside a lesion."},
     {"chordal_excision", &SearchRules::chordal_excision, kAny, "",
-     "Allow cutting of the anterior leaflet's strut chordae."},
+     "Allow cutting of the anterior leaflet's strut chordae where the leaflets are tethered."},
     {"chordal_transfer", &SearchRules::chordal_transfer, kAny, "",
      "Allow transfer of chordae to a lesion."},
     {"leaflet_resection", &SearchRules::leaflet_resection, kAny, "",

@@ -161,6 +161,40 @@ TEST(PlanSpace, ChordalStepsAreOfferedOnRequest) {
   EXPECT_EQ(space_of(near_tips(), rules).branches().size(), kRings - 1u);
 }
 
+TEST(PlanSpace, EveryOperationThatIsClosedIsSaid) {
+  const auto says = [](const SearchRules& rules, const Diagnosis& diagnosis, const char* why) {
+    const PlanSpace space(small_valve(), rules, diagnosis);
+    for (const char* what : {"shortening of chordae", "transfer of a chorda", "resection", "clip"})
+      EXPECT_TRUE(is_cut(space, what, why)) << what << ": " << why;
+  };
+  SearchRules rules;
+  const Diagnosis tethered = diagnosis_of({CarpentierType::IIIb});
+  says(rules, tethered, "available on request");
+  rules.chordal_length_change = rules.chordal_excision = rules.chordal_transfer =
+      rules.leaflet_resection = rules.edge_to_edge = true;
+  says(rules, tethered, "no segment prolapses");
+  rules.forbidden = {"chordal_length_change", "chordal_excision", "chordal_transfer",
+                     "leaflet_resection", "edge_to_edge"};
+  says(rules, tethered, "forbidden");
+  EXPECT_TRUE(
+      is_cut(PlanSpace(small_valve(), rules, tethered), "cutting of strut chordae", "forbidden"));
+}
+
+TEST(Indication, StrutChordaeAreCutForTetheringAlone) {
+  SearchRules rules;
+  rules.chordal_excision = true;
+  const auto cuts = [&](CarpentierType type) {
+    const PlanSpace space(small_valve(), rules, diagnosis_of({type}, {Segment::P2}));
+    return std::any_of(space.branches().begin(), space.branches().end(), [](const Branch& branch) {
+      return branch.choice.chordal == ChordalChoice::CutStruts;
+    });
+  };
+  EXPECT_TRUE(cuts(CarpentierType::IIIb));
+  EXPECT_FALSE(cuts(CarpentierType::II));
+  EXPECT_TRUE(is_cut(PlanSpace(small_valve(), rules, diagnosis_of({CarpentierType::II})),
+                     "cutting of strut chordae", "not tethered"));
+}
+
 TEST(PlanSpace, ResectionAndAClipAreOfferedOnRequestWhereChordaeAreRuptured) {
   const Valve& flail = shared_preset("human-p2-prolapse", 150);
   SearchRules rules;
