@@ -26,12 +26,12 @@ struct SearchContext {
   SearchClock now{};     ///< empty: the steady clock
 };
 
-/// What speaks against a search, without closing anything: options out of range, rules that the
-/// valve does not allow or that leave no plan to try. Errors point into the options
-/// ("/evaluations", "/rules/forbidden/0").
+/// What speaks against a search, without closing anything: options out of range, rules that contradict each other or that the valve
+/// does not allow. Errors point into the options ("/evaluations", "/rules/forbidden/0").
 Errors check_search(const Valve& valve, const SearchOptions& options);
 
-/// Errors are those of check_search().
+/// Errors are those of check_search(). Where rules close all that is indicated, there are no plans, the search is exhausted, and `cut` says
+/// what was closed.
 Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& options,
                                     const SearchContext& context);
 

@@ -61,7 +61,7 @@ std::string in_mm(double value) { return with_decimals(value, 1) + " mm"; }
 }  // namespace
 
 PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
-                     const std::optional<Diagnosis>& diagnosis, bool first_alone)
+                     const std::optional<Diagnosis>& diagnosis)
     : valve_(valve),
       rules_(rules),
       coordinates_(leaflet_coordinates(valve)),
@@ -95,10 +95,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
             for (const LeafletChoice leaflet : leaflets)
               if (const Choice choice{ring, al, pm, count, chordal, leaflet};
                   (!ring.empty() || !needs_ring) && mends_rightly(choice, needs_mending))
-                if (const auto branch = make_branch(choice)) {
-                  branches_.push_back(*branch);
-                  if (first_alone) return;
-                }
+                if (const auto branch = make_branch(choice)) branches_.push_back(*branch);
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
     return step_count(a.choice) < step_count(b.choice);
   });
@@ -515,12 +512,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
 
 Errors check_plan_space(const Valve& valve, const SearchRules& rules) {
   if (Errors errors = check_rules(valve, rules); !errors.empty()) return errors;
-  if (Errors errors = check_fitted_parameters(valve); !errors.empty()) return errors;
-  const PlanSpace space(valve, rules, {}, true);
-  if (!space.branches().empty()) return {};
-  std::string why;
-  for (const CutBranches& cut : space.cut()) why += "; " + cut.what + ": " + cut.why;
-  return {{ErrorCode::ImpossibleStep, "", "exclude every plan" + why}};
+  return check_fitted_parameters(valve);
 }
 
 }  // namespace coapt

@@ -35,13 +35,12 @@ struct CutBranches {
 
 class PlanSpace {
  public:
-  /// @pre check_rules() is empty.
+  /// @pre check_plan_space() is empty.
   /// @param diagnosis of the valve: what is indicated; none: everything is offered
-  /// @param first_alone stops at the first branch that is possible: is there any?
   PlanSpace(const Valve& valve, const SearchRules& rules,
-            const std::optional<Diagnosis>& diagnosis = {}, bool first_alone = false);
+            const std::optional<Diagnosis>& diagnosis = {});
 
-  /// Fewest steps first, then in a fixed order; empty if nothing is left to decide.
+  /// Fewest steps first, then in a fixed order; empty if rules and diagnosis leave no plan: cut() says why.
   const std::vector<Branch>& branches() const { return branches_; }
   const std::vector<CutBranches>& cut() const { return cut_; }
   /// Of the valve.
@@ -85,7 +84,7 @@ class PlanSpace {
   std::vector<CutBranches> cut_;
 };
 
-/// Those of check_rules(), or that the rules leave no plan to try, whatever is indicated, and why.
+/// Those of check_rules(), or that what a fit left uncertain cannot be drawn. Rules that leave no plan are none: the space is empty then.
 Errors check_plan_space(const Valve& valve, const SearchRules& rules);
 
 }  // namespace coapt

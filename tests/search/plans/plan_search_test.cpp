@@ -211,6 +211,18 @@ TEST(PlanSearch, FixedStepsAreInEveryPlanAndForbiddenOnesInNone) {
   EXPECT_EQ(result.plans_possible, 1 + 15 + 15 * 9);
 }
 
+TEST(PlanSearch, RulesThatCloseAllThatIsIndicatedLeaveNoPlanAndTheReason) {
+  SearchOptions options = small_search();
+  options.rules.forbidden = {"annuloplasty", "papillary_approximation"};
+  const SearchResult result = searched(options, context_of(needs_suture));
+  EXPECT_TRUE(result.plans.empty());
+  EXPECT_FALSE(result.any_acceptable);
+  EXPECT_EQ(result.stop, SearchStop::Exhausted);
+  EXPECT_TRUE(std::any_of(result.cut.begin(), result.cut.end(), [](const CutBranches& cut) {
+    return cut.what == "suture of the posteromedial muscle" && cut.why == "forbidden";
+  }));
+}
+
 TEST(PlanSearch, FindsWhatTryingEveryPlanFinds) {
   // One branch, 7 movements x 9 places; the tip is best somewhere off the first guess.
   SearchOptions options = small_search();

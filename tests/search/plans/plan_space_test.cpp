@@ -93,19 +93,19 @@ int steps(const Choice& c) {
          (c.leaflet == LeafletChoice::None ? 0 : 1);
 }
 
-TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongOrLeaveNoPlan) {
+TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongAndIsEmptyIfTheyLeaveNoPlan) {
   SearchRules wrong;
   wrong.forbidden = {"neochorda", "leeches"};
   const Errors refused = check_plan_space(small_valve(), wrong);
   ASSERT_EQ(refused.size(), 1u);
   EXPECT_EQ(refused[0].path, "/forbidden/1");
-  const Errors empty =
-      check_plan_space(small_valve(), forbidding({"annuloplasty", "papillary_approximation"}));
-  ASSERT_EQ(empty.size(), 1u);
-  EXPECT_EQ(empty[0].path, "");
-  EXPECT_TRUE(empty[0].message.starts_with("exclude every plan; ")) << empty[0].message;
+  const SearchRules closed = forbidding({"annuloplasty", "papillary_approximation"});
+  EXPECT_TRUE(check_plan_space(small_valve(), closed).empty());
+  const PlanSpace empty(small_valve(), closed, diagnosis_of({CarpentierType::IIIb}));
+  EXPECT_TRUE(empty.branches().empty());
+  EXPECT_TRUE(is_cut(empty, "ring own", "forbidden"));
+  EXPECT_TRUE(is_cut(empty, "suture of the anterolateral muscle", "forbidden"));
   EXPECT_TRUE(check_plan_space(small_valve(), {}).empty());
-  EXPECT_EQ(PlanSpace(small_valve(), {}, {}, true).branches().size(), 1u);
 }
 
 TEST(PlanSpace, SuturesAreOfferedToDisplacedMusclesOnly) {
