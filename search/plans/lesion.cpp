@@ -1,8 +1,10 @@
 #include "search/plans/lesion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/valve/leaflet_of.h"
 
@@ -10,6 +12,9 @@ namespace coapt {
 namespace {
 
 constexpr double kFallback_mm = 20.0;
+/// Scallops side by side.
+constexpr std::array<std::array<Segment, 3>, 2> kRows = {
+    {{Segment::A1, Segment::A2, Segment::A3}, {Segment::P1, Segment::P2, Segment::P3}}};
 
 /// Mean rest length from the head to the insertions.
 double reach_mm(const Chorda& chorda) {
@@ -102,6 +107,28 @@ double middle_of(const Valve& valve, const LeafletCoordinates& coordinates, Segm
   return sum / faces;
 }
 
+/// Takes the segments of `left` that hang together with this one, from the anterolateral side on; none if it was taken.
+std::vector<Segment> take_run(std::set<Segment>& left, Segment segment) {
+  const auto of = std::find_if(kRows.begin(), kRows.end(), [&](const auto& row) {
+    return std::find(row.begin(), row.end(), segment) != row.end();
+  });
+  std::vector<Segment> run;
+  bool found = false;
+  for (const Segment next : *of) {
+    if (left.contains(next)) {
+      run.push_back(next);
+      found = found || next == segment;
+    } else if (found) {
+      break;
+    } else {
+      run.clear();
+    }
+  }
+  if (!found) return {};
+  for (const Segment taken : run) left.erase(taken);
+  return run;
+}
+
 }  // namespace
 
 std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates) {
@@ -130,20 +157,17 @@ std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& c
   std::vector<SegmentDiagnosis> segments = prolapsing(*diagnosis);
   std::stable_sort(segments.begin(), segments.end(),
                    [](const auto& a, const auto& b) { return a.override_mm > b.override_mm; });
-  for (const Leaflet leaflet : {Leaflet::Posterior, Leaflet::Anterior}) {
-    double first = 1.0, last = 0.0;
-    for (const SegmentDiagnosis& segment : segments) {
-      if (leaflet_of(segment.segment) != leaflet) continue;
-      const double along = middle_of(valve, coordinates, segment.segment);
-      first = std::min(first, along);
-      last = std::max(last, along);
-    }
-    if (first <= last)
-      lesions.push_back({leaflet, 0.5 * (first + last), 0.5 * (last - first),
-                         usual_length_mm(valve, coordinates, leaflet)});
+  std::set<Segment> left;
+  for (const SegmentDiagnosis& segment : segments) left.insert(segment.segment);
+  for (const SegmentDiagnosis& segment : segments) {
+    const std::vector<Segment> run = take_run(left, segment.segment);
+    if (run.empty()) continue;
+    const Leaflet leaflet = *leaflet_of(segment.segment);  // prolapsing() knows scallops alone
+    const double first = middle_of(valve, coordinates, run.front());
+    const double last = middle_of(valve, coordinates, run.back());
+    lesions.push_back({leaflet, 0.5 * (first + last), 0.5 * (last - first),
+                       usual_length_mm(valve, coordinates, leaflet)});
   }
-  if (lesions.size() > 1 && leaflet_of(segments.front().segment) == Leaflet::Anterior)
-    std::swap(lesions[0], lesions[1]);
   return lesions;
 }
 

@@ -23,7 +23,7 @@ struct Lesion {
 /// That ruptured marginal chordae held, on the leaflet with more of them (the posterior one of as many). None is ruptured: nothing.
 std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates);
 
-/// One for each leaflet that prolapses by the diagnosis, over all its segments that do, the highest first; without a diagnosis
+/// One for each run of adjacent segments of a leaflet that prolapse by the diagnosis, that of the highest first; without a diagnosis
 /// find_lesion()'s.
 std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& coordinates,
                                  const std::optional<Diagnosis>& diagnosis);

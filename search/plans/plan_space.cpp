@@ -10,6 +10,7 @@
 #include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
+#include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 #include "search/fit/fitted_draw.h"
 
@@ -223,7 +224,11 @@ std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
 
 std::vector<int> PlanSpace::offer_neochordae() {
   std::string why;
+  const int each = static_cast<int>(lesions_.size());
   if (lesions_.empty()) why = why_no_lesion();
+  if (rules_.most_neochordae < each)
+    why = counted(each, "lesion") + " cannot be mended with at most " +
+          counted(rules_.most_neochordae, "neochorda", "neochordae");
   for (const Lesion& lesion : lesions_)
     if (is_forbidden(rules_, "neochorda", to_string(lesion.leaflet))) why = "forbidden";
   if (rules_.most_neochordae == 0) why = "not allowed by the rules";
@@ -232,7 +237,6 @@ std::vector<int> PlanSpace::offer_neochordae() {
     return {0};
   }
   std::vector<int> counts;
-  const int each = static_cast<int>(lesions_.size());
   for (int count = 0; count <= rules_.most_neochordae; count += each) counts.push_back(count);
   return counts;
 }
@@ -476,10 +480,11 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
   }
   const std::vector<const Lesion*> held = held_by_neochordae(choice.leaflet);
   for (std::size_t k = 0; k < static_cast<std::size_t>(choice.neochordae); ++k) {
-    // In turn on either leaflet, over the whole lesion.
+    // In turn at each lesion, over the whole of it; what is left over goes to the first ones.
     const std::size_t lesions = held.size();
     const Lesion& lesion = *held[k % lesions];
-    const double count = static_cast<double>(choice.neochordae / lesions);
+    const double count =
+        static_cast<double>((choice.neochordae - k % lesions + lesions - 1) / lesions);
     const double spacing =
         count > 1.0 ? std::max(kSpacing, 2.0 * lesion.reach / (count - 1.0)) : kSpacing;
     const double nth = static_cast<double>(k / lesions);

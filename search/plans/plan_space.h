@@ -7,10 +7,10 @@
 //   papillary suture  where leaflets are tethered, to trigone, saddle peak or a free point of the anterior annulus, for a displaced
 //                     muscle: its tip further from its trigone than mean + sd of normal hearts
 //                     (23.5, 3.8 mm; n = 57); first moved to where that mean is
-//   neochordae        0 to 4 where segments prolapse (3.6 per patient), as many on either leaflet if both do, each with its
-//                     place and length; or
-//   resection         on request, where the posterior leaflet prolapses: triangular or quadrangular with sliding, with its width; the anterior
-//                     leaflet then has neochordae, if it prolapses, too
+//   neochordae        0 to 4 where segments prolapse (3.6 per patient), as many at each lesion (a run of adjacent segments of a
+//                     leaflet), each with its place and length; or
+//   resection         on request, where the posterior leaflet prolapses: triangular or quadrangular with sliding, with its width; other
+//                     lesions then have neochordae
 //   chordal steps     on request: strut chordae cut where leaflets are tethered; chordae beside a lesion shortened; one transferred
 //   clip              on request, from edge to edge at the highest lesion, with its width
 // Without a diagnosis every ring and suture is offered, and neochordae where marginal chordae are ruptured.

@@ -431,6 +431,38 @@ TEST(Indication, NeochordaeGoToEveryLeafletThatProlapses) {
   }
 }
 
+TEST(Indication, SegmentsThatAreNotNeighboursAreLesionsOfTheirOwn) {
+  const Valve& valve = shared_preset("human-normal", 200);
+  const Diagnosis apart = diagnosis_of({CarpentierType::II}, {Segment::P3, Segment::P1});
+  const PlanSpace space(valve, {}, apart);
+  const Branch& simplest = space.branches().front();
+  ASSERT_EQ(simplest.choice.neochordae, 2);
+  std::vector<std::string> held;
+  for (const RepairStep& step : space.plan(simplest, start_of(simplest)).steps)
+    if (const auto* neochorda = std::get_if<Neochorda>(&step)) {
+      const std::string words = describe(valve, {{*neochorda}}).front();
+      held.push_back(words.substr(words.rfind(' ') + 1));
+    }
+  EXPECT_EQ(held, (std::vector<std::string>{"P3", "P1"})) << "none at P2, the highest first";
+  SearchRules one;
+  one.most_neochordae = 1;
+  EXPECT_TRUE(is_cut(PlanSpace(valve, one, apart), "neochordae", "2 lesions"));
+  // Of three neochordae at two lesions beside a resection, two go to the higher one.
+  SearchRules resected;
+  resected.leaflet_resection = true;
+  const PlanSpace three(
+      valve, resected, diagnosis_of({CarpentierType::II}, {Segment::A2, Segment::P1, Segment::P3}));
+  const auto branch =
+      std::find_if(three.branches().begin(), three.branches().end(),
+                   [](const Branch& b) { return b.choice.leaflet == LeafletChoice::Triangular; });
+  ASSERT_NE(branch, three.branches().end());
+  std::multiset<Leaflet> leaflets;
+  for (const RepairStep& step : three.plan(*branch, start_of(*branch)).steps)
+    if (const auto* neochorda = std::get_if<Neochorda>(&step))
+      leaflets.insert(neochorda->insertion.leaflet);
+  EXPECT_EQ(leaflets, (std::multiset{Leaflet::Anterior, Leaflet::Anterior, Leaflet::Posterior}));
+}
+
 TEST(PlanSpace, ACommissuralLesionIsHeldOnBothLeafletsFromItsOwnMuscle) {
   const Valve& valve = shared_preset("human-normal", 200);
   for (const auto& [anterior, posterior, side] :
