@@ -55,7 +55,8 @@ std::vector<OrderThresholds> threshold_settings() {
 
 bool is_acceptable(const PlanMerits& plan, double acceptable) {
   return plan.trusted && plan.varied && !plan.fails_often && !plan.rejected && !plan.stenotic &&
-         plan.acceptable_probability >= acceptable && plan.closes_finely;
+         !(plan.gradient_mmhg > kStenosis_mmhg) && plan.acceptable_probability >= acceptable &&
+         plan.closes_finely;
 }
 
 PlanTier tier_of(const PlanMerits& plan, double acceptable) {

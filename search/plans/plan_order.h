@@ -60,7 +60,8 @@ struct OrderThresholds {
 /// 27: acceptable from 0.90, 0.95, 0.98; durability alike within 3, 2, 1 mm and enough from 5, 6.5, 8 mm on; 0.5, 1, 2 mmHg.
 std::vector<OrderThresholds> threshold_settings();
 
-/// Trusted, varied, seldom failing, not rejected, not stenotic, mild with that probability, on the finer mesh, too.
+/// Trusted, varied, seldom failing, not rejected, not stenotic, its gradient at most kStenosis_mmhg (plan_opening.h) where it is known,
+/// mild with that probability, on the finer mesh, too.
 bool is_acceptable(const PlanMerits& plan, double acceptable = kAcceptable);
 
 PlanTier tier_of(const PlanMerits& plan, double acceptable = kAcceptable);

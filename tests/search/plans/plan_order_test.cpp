@@ -53,6 +53,16 @@ TEST(PlanOrder, ALeakOnTheFinerMeshIsNotAcceptable) {
   EXPECT_FALSE(is_acceptable(with([](PlanMerits& plan) { plan.varied = false; })));
 }
 
+TEST(PlanOrder, AGradientAboveFiveIsNotAcceptableAndAnUnknownOneRejectsNothing) {
+  const auto of_gradient = [](double gradient_mmhg) {
+    return with([=](PlanMerits& plan) { plan.gradient_mmhg = gradient_mmhg; });
+  };
+  EXPECT_TRUE(is_acceptable(of_gradient(5.0)));
+  EXPECT_FALSE(is_acceptable(of_gradient(5.1)));
+  EXPECT_EQ(tier_of(of_gradient(5.1)), PlanTier::NotAcceptable);
+  EXPECT_TRUE(is_acceptable(of_gradient(std::numeric_limits<double>::quiet_NaN())));
+}
+
 TEST(PlanOrder, AClassIsHeadedByItsSimplestMember) {
   const std::vector<PlanMerits> plans = {
       with([](PlanMerits& plan) { plan.steps = 3; }),
