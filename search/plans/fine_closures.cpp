@@ -48,25 +48,33 @@ CostTerms nominal_terms(const PlanClosure& closure, const Effort& effort,
 }  // namespace
 
 FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                        int levels) {
-  FineClosures fine;
+                        int levels, FineClosures known) {
+  FineClosures fine = std::move(known);
   fine.mesh.levels = levels_of(evaluations.valve(), levels);
   if (fine.mesh.levels == 0) return fine;
   fine.mesh.triangles = static_cast<int>(evaluations.valve().faces.rows())
                         << (2 * fine.mesh.levels);
-  const int count = static_cast<int>(plans.size());
-  std::vector<std::optional<PlanClosure>> closures(plans.size() + 1);  // the last: no repair
-  for_each_index(count + 1, evaluations.threads(), [&](int i) {
+  std::vector<const PlanRecord*> missing;
+  for (const PlanRecord* plan : plans)
+    if (!fine.plans.contains(plan)) missing.push_back(plan);
+  if (!fine.mesh.before) missing.push_back(nullptr);  // no repair
+  std::vector<std::optional<PlanClosure>> closures(missing.size());
+  for_each_index(static_cast<int>(missing.size()), evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
-    closures[i] = i == count ? closed_finely(evaluations, evaluations.valve(),
-                                             evaluations.closed_before(), fine.mesh.levels)
-                             : closed_finely(evaluations, evaluations.repaired(*plans[i]),
-                                             evaluations.closed(*plans[i]), fine.mesh.levels);
+    const PlanRecord* const plan = missing[i];
+    closures[i] = plan == nullptr ? closed_finely(evaluations, evaluations.valve(),
+                                                  evaluations.closed_before(), fine.mesh.levels)
+                                  : closed_finely(evaluations, evaluations.repaired(*plan),
+                                                  evaluations.closed(*plan), fine.mesh.levels);
   });
-  for (int i = 0; i < count; ++i)
-    if (closures[i]) fine.plans.emplace(plans[i], *closures[i]);
-  fine.mesh.before = closures.back();
-  for (const auto& closure : closures) fine.mesh.closures += closure ? fine.mesh.levels : 0;
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    if (!closures[i]) continue;
+    fine.mesh.closures += fine.mesh.levels;
+    if (missing[i] == nullptr)
+      fine.mesh.before = closures[i];
+    else
+      fine.plans.emplace(missing[i], *closures[i]);
+  }
   return fine;
 }
 

@@ -32,8 +32,9 @@ inline constexpr int kMostFineTriangles = 12000;
 
 /// At most `levels` refinements, fewer where the mesh would have more than kMostFineTriangles. On
 /// all threads; a search that is cancelled makes no more, one out of time makes all.
+/// @param known of the same valve and levels: what is missing is added
 FineClosures close_fine(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                        int levels);
+                        int levels, FineClosures known = {});
 
 /// What the terms of a plan's cost change by when its closure as planned is the fine one, whose leak is measured where the search
 /// estimates.

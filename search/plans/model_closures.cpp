@@ -28,15 +28,8 @@ PlanClosure refused() {
   return closure;
 }
 
-/// One draw: tissue by shares, and the unrepaired valve with other values where a fit left them uncertain, with other chordae where
-/// its own were never seen, else as it is; empty where such a valve cannot be made.
-struct Draw {
-  std::vector<double> shares;
-  std::optional<Valve> valve;
-};
-
 /// `count` draws, the block's own.
-std::vector<Draw> drawn(const PlanEvaluations& evaluations, int count, int block) {
+std::vector<ModelDraw> drawn(const PlanEvaluations& evaluations, int count, int block) {
   const Valve& valve = evaluations.valve();
   const auto own = static_cast<std::uint64_t>(2 * block);
   const std::vector<std::vector<double>> shares = model_draws(count, kSeed + own);
@@ -44,7 +37,7 @@ std::vector<Draw> drawn(const PlanEvaluations& evaluations, int count, int block
       valve.fitted ? latin_hypercube(count, static_cast<int>(valve.fitted->parameters.size()),
                                      kFitSeed + own)
                    : std::vector<std::vector<double>>{};
-  std::vector<Draw> draws(static_cast<std::size_t>(count));
+  std::vector<ModelDraw> draws(static_cast<std::size_t>(count));
   for_each_index(count, evaluations.threads(), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     draws[at].shares = shares[at];
@@ -92,7 +85,7 @@ struct Before {
 
 /// None if the search was cancelled before.
 std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
-                                                const std::vector<Draw>& draws) {
+                                                const std::vector<ModelDraw>& draws) {
   const ClosedPlan start = evaluations.closed_before();
   std::vector<std::optional<Before>> all(draws.size());
   for_each_index(static_cast<int>(draws.size()), evaluations.threads(), [&](int i) {
@@ -110,20 +103,17 @@ std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
   return all;
 }
 
-}  // namespace
-
-ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                                int asked) {
+/// The draws, closed without a repair; no `before` if the search was cancelled.
+ModelClosures draw_and_close_before(PlanEvaluations& evaluations, int asked) {
   ModelClosures model;
-  if (asked == 0) return model;
   const std::vector<Observation>& observed = evaluations.valve().observed;
   const auto [draws, blocks] = drawing_of(evaluations.valve(), asked);
   model.draws = draws;
-  std::vector<Draw> pool;
+  std::vector<ModelDraw> pool;
   std::vector<Before> before;
   Conditioning found;
   for (int block = 0; block < blocks; ++block) {
-    std::vector<Draw> more = drawn(evaluations, draws, block);
+    std::vector<ModelDraw> more = drawn(evaluations, draws, block);
     const std::vector<std::optional<Before>> closed = close_before(evaluations, more);
     for (const std::optional<Before>& one : closed) {
       if (!one) return model;  // cancelled
@@ -144,38 +134,59 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
   std::vector<int> picked(static_cast<std::size_t>(draws));
   std::iota(picked.begin(), picked.end(), 0);
   if (weighed) picked = resampled(found.weights, draws);
-  std::vector<int> distinct = picked;  // in order
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  int last = -1;
+  for (const int draw : picked) {  // in order
+    const auto at = static_cast<std::size_t>(draw);
+    if (draw != last) model.distinct.push_back(std::move(pool[at]));
+    last = draw;
+    model.picked.push_back(static_cast<int>(model.distinct.size()) - 1);
+    const Before& own = before[at];
+    model.before.push_back(own.closure);
+    CostContext& there = model.contexts.emplace_back(evaluations.context());
+    there.thickness_mm = own.thickness_mm;
+    there.tension_before_n =
+        trusted(own.closure) ? own.closure.tension_max_n : std::numeric_limits<double>::infinity();
+  }
+  return model;
+}
 
+}  // namespace
+
+ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
+                                int asked, ModelClosures known) {
+  if (asked == 0) return {};
+  ModelClosures model =
+      known.before.empty() ? draw_and_close_before(evaluations, asked) : std::move(known);
+  if (model.before.empty()) return model;
+  std::vector<const PlanRecord*> missing;
   std::vector<ClosedPlan> starts;
-  for (const PlanRecord* plan : plans) starts.push_back(evaluations.closed(*plan));
-  const int count = static_cast<int>(plans.size()), each = static_cast<int>(distinct.size());
-  std::vector<std::optional<PlanClosure>> closures(static_cast<std::size_t>(count) *
-                                                   distinct.size());
+  for (const PlanRecord* plan : plans) {
+    if (model.plans.contains(plan)) continue;
+    missing.push_back(plan);
+    starts.push_back(evaluations.closed(*plan));
+  }
+  const auto count = static_cast<int>(missing.size());
+  const auto each = static_cast<int>(model.distinct.size());
+  std::vector<std::optional<PlanClosure>> closures(missing.size() * model.distinct.size());
   for_each_index(count * each, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
-    const Draw& draw = pool[static_cast<std::size_t>(distinct[i % each])];
-    const std::optional<Valve> valve = planned(draw.valve, plans[i / each], draw.shares);
+    const ModelDraw& draw = model.distinct[static_cast<std::size_t>(i % each)];
+    const std::optional<Valve> valve = planned(draw.valve, missing[i / each], draw.shares);
     closures[i] =
         valve
             ? plan_closure(evaluations.evaluate(*valve, starts[i / each].closure.get()).evaluation)
             : refused();
   });
   for (const auto& closure : closures) model.closures += closure.has_value();
-  if (std::any_of(closures.begin(), closures.end(), [](const auto& one) { return !one; }))
+  if (std::any_of(closures.begin(), closures.end(), [](const auto& one) { return !one; })) {
+    model.before.clear();  // cancelled
+    model.contexts.clear();
+    model.plans.clear();
     return model;
-  for (const int draw : picked) {
-    const auto at = static_cast<int>(std::lower_bound(distinct.begin(), distinct.end(), draw) -
-                                     distinct.begin());
-    const Before& own = before[static_cast<std::size_t>(draw)];
-    model.before.push_back(own.closure);
-    for (int i = 0; i < count; ++i)
-      model.plans[plans[i]].push_back(*closures[static_cast<std::size_t>(i * each + at)]);
-    CostContext& there = model.contexts.emplace_back(evaluations.context());
-    there.thickness_mm = own.thickness_mm;
-    there.tension_before_n =
-        trusted(own.closure) ? own.closure.tension_max_n : std::numeric_limits<double>::infinity();
   }
+  for (const int draw : model.picked)
+    for (int i = 0; i < count; ++i)
+      model.plans[missing[i]].push_back(*closures[static_cast<std::size_t>(i * each + draw)]);
   return model;
 }
 

@@ -26,6 +26,13 @@ struct ModelSpread {
   double worst_mm2 = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Tissue by shares, and the unrepaired valve with other values where a fit left them uncertain, with other chordae where its own were
+/// never seen, else as it is; empty where such a valve cannot be made.
+struct ModelDraw {
+  std::vector<double> shares;
+  std::optional<Valve> valve;
+};
+
 struct ModelClosures {
   int draws = 0;  ///< asked for
   /// Where something was observed of the valve (Valve::observed): the draws below are kConditionedDraws or more, picked from `pool`
@@ -34,6 +41,8 @@ struct ModelClosures {
   double effective =
       0.0;  ///< Conditioning::effective of the pool; as many as draws where nothing was observed
   bool contradicts = false;  ///< what was observed contradicts the model: the draws are not weighed
+  std::vector<ModelDraw> distinct;  ///< draws below, each once
+  std::vector<int> picked;          ///< by draw: which of `distinct`
   /// By draw; empty without draws, or if the search was cancelled before.
   std::vector<PlanClosure> before;
   std::vector<CostContext> contexts;  ///< of costs there: as thick, as tense unrepaired
@@ -42,8 +51,9 @@ struct ModelClosures {
 };
 
 /// On all threads; a search that is cancelled makes no more, one out of time makes all. Without observations as many draws as asked for.
+/// @param known of the same valve and as many draws: what is missing is added
 ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
-                                int asked);
+                                int asked, ModelClosures known = {});
 
 /// How many closures that makes at most.
 int most_draw_closures(const Valve& valve, int plans, int asked);

@@ -72,8 +72,8 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   FineClosures fine;
   ModelClosures model;
   const auto judge = [&] {
-    fine = close_fine(evaluations, finalists, options.fine_levels);
-    model = close_under_draws(evaluations, finalists, options.model_draws);
+    fine = close_fine(evaluations, finalists, options.fine_levels, std::move(fine));
+    model = close_under_draws(evaluations, finalists, options.model_draws, std::move(model));
     result.plans = rank(evaluations, finalists, options, fine, model);
   };
   judge();

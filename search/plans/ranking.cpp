@@ -366,7 +366,10 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
   const int nodes = std::min(options.region_points, common_nodes(plans));
   if (nodes == 0) return {};
   const bool durable = all_durabilities_known(plans);
-  const bool finely = fine.mesh.levels > 0 && fine.plans.size() == plans.size();
+  const bool finely =
+      fine.mesh.levels > 0 && std::all_of(plans.begin(), plans.end(), [&](const PlanRecord* plan) {
+        return fine.plans.contains(plan);
+      });
   std::vector<RankedPlan> all;
   std::vector<PlanMerits> merits, own_merits;
   std::vector<Acceptance> acceptances;

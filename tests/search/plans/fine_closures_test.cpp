@@ -43,6 +43,18 @@ TEST(FineClosures, ClosePlansAndTheValveAsItIsOnTheRefinedMesh) {
   EXPECT_EQ(scene.evaluations.closures(), before) << "they are counted apart";
 }
 
+TEST(FineClosures, WhatIsKnownIsNotClosedAgain) {
+  EvaluationScene scene(leaking_on_fine_meshes(0.0, 0.75));
+  PlanRecord& ring = scene.closed(own_ring(1), 1);
+  PlanRecord& tied = scene.closed(suture(Side::Posteromedial, 20.0), 1);
+  FineClosures known = close_fine(scene.evaluations, {&ring}, 1);
+  known.plans.at(&ring).leak_mm2 = 3.0;  // a mark
+  const FineClosures both = close_fine(scene.evaluations, {&ring, &tied}, 1, known);
+  EXPECT_EQ(both.plans.at(&ring).leak_mm2, 3.0);
+  EXPECT_EQ(both.plans.at(&tied).leak_mm2, 0.75);
+  EXPECT_EQ(both.mesh.closures, 3) << "each once";
+}
+
 TEST(FineClosures, NoneWithoutLevels) {
   EvaluationScene scene(leaking_on_fine_meshes(0.0, 0.75));
   PlanRecord& plan = scene.closed(suture(Side::Posteromedial, 20.0), 1);
@@ -104,6 +116,9 @@ TEST(FineClosures, OrderThePlansAndSayWhereTheyStoodBefore) {
   EXPECT_NEAR(price(fine_change(scene.evaluations, ring, fine), {}), 6.0 * 6.0, 1e-9);
   for (const RankedPlan& plan : plans)
     EXPECT_NEAR(price(plan.terms, {}), plan.cost + plan.fine_cost_change, 1e-9);
+  EXPECT_EQ(rank(scene.evaluations, {&ring}, over_nodes(9), fine)[0].fine_cost_change,
+            plans[1].fine_cost_change)
+      << "it counts where more were closed than are ranked";
 }
 
 TEST(FineClosures, AreTheSameForAnyNumberOfThreads) {

@@ -59,6 +59,21 @@ TEST(ModelClosures, ClosePlansAndTheValveAsItIsUnderTheSameDraws) {
   EXPECT_GT(spread.worst_mm2, spread.mean_mm2);
 }
 
+TEST(ModelClosures, AddedPlansAreClosedInTheSameDrawsAndNothingTwice) {
+  EvaluationScene scene(leak_of([](const Valve& valve) { return stiffness(valve); }));
+  PlanRecord& ring = scene.closed(own_ring(1), 1);
+  PlanRecord& tied = scene.closed(suture(Side::Posteromedial, 20.0), 1);
+  const ModelClosures added =
+      close_under_draws(scene.evaluations, {&ring, &tied}, kDraws,
+                        close_under_draws(scene.evaluations, {&ring}, kDraws));
+  const ModelClosures at_once = close_under_draws(scene.evaluations, {&ring, &tied}, kDraws);
+  EXPECT_EQ(added.closures, 3 * kDraws);
+  EXPECT_EQ(at_once.closures, 3 * kDraws);
+  for (const PlanRecord* plan : {&ring, &tied})
+    for (int draw = 0; draw < kDraws; ++draw)
+      EXPECT_EQ(added.plans.at(plan)[draw].leak_mm2, at_once.plans.at(plan)[draw].leak_mm2);
+}
+
 TEST(ModelClosures, ChordaeThatWereNeverSeenAreDrawnAnewAlikeForAllPlans) {
   const Valve valve =
       *with_synthetic_chordae(shared_preset("human-functional-mr", 150), 1, Points(0, 3));
