@@ -72,8 +72,8 @@ Gate chordal_tension(const Evaluation& repaired, const Evaluation& before) {
           kPractice};
 }
 
-/// Of the valve alone: what else matters, the septum, is not in the model.
-Gate systolic_anterior_motion(const Evaluation& repaired, bool tethered) {
+/// Of the valve alone: what else matters, the septum, is not in the model. A risk that was there before speaks against no plan.
+Gate systolic_anterior_motion(const Evaluation& repaired, const Evaluation& before, bool tethered) {
   constexpr const char* kRule = "systolic_anterior_motion";
   constexpr const char* kSource =
       "risk after repair of degenerative valves: Maslow 1999, Popa 2013 (J Cardiothorac Surg 8:O2)";
@@ -82,6 +82,8 @@ Gate systolic_anterior_motion(const Evaluation& repaired, bool tethered) {
   if (!std::isfinite(ratio))
     return {kRule, GateSeverity::NotAssessed, "the leaflets do not coapt in the middle", kSource};
   const bool low = ratio < kLowLeafletRatio;
+  const double usual = plan_closure(before).leaflet_ratio;
+  const bool raised = raises_sam_risk(ratio, usual);
   const std::string figure =
       "SAM risk: the ratio of anterior to posterior leaflet length, annulus to coaptation, is " +
       with_decimals(ratio, 1) + " (" + with_decimals(measure.anterior_length_mm, 0) + " / " +
@@ -92,8 +94,11 @@ Gate systolic_anterior_motion(const Evaluation& repaired, bool tethered) {
                 ", a sign of degenerative valves; these leaflets are tethered, which draws "
                 "them away from the septum",
             kSource};
-  return {kRule, low ? GateSeverity::Warn : GateSeverity::Pass,
+  return {kRule, raised ? GateSeverity::Warn : GateSeverity::Pass,
           figure + ", " + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
+              (low && !raised
+                   ? ", but not lower than before the repair (" + with_decimals(usual, 1) + ")"
+                   : "") +
               ". The septal distance (risk below 25 mm) cannot be assessed",
           kSource};
 }
@@ -114,7 +119,7 @@ std::vector<Gate> closure_gates(const Evaluation& repaired, const Evaluation& be
                              contact(repaired.measure),
                              coaptation_height(repaired),
                              chordal_tension(repaired, before),
-                             systolic_anterior_motion(repaired, tethered),
+                             systolic_anterior_motion(repaired, before, tethered),
                              regurgitation_grade(repaired.measure)};
   if (!trusted(repaired))
     for (std::size_t i = 2; i < gates.size(); ++i) {

@@ -21,6 +21,11 @@ PlanClosure plan_closure(const Evaluation& evaluation) {
           measure.anterior_length_mm / measure.posterior_length_mm};
 }
 
+bool raises_sam_risk(double ratio, double before) {
+  constexpr double kAlike = 0.05;  // figures are told to a tenth
+  return ratio < kLowLeafletRatio && !(ratio >= before - kAlike);
+}
+
 bool trusted(const PlanClosure& closure) {
   return closure.status == ClosureStatus::Converged && !closure.crossing &&
          std::isfinite(closure.leak_mm2);

@@ -22,6 +22,9 @@ struct PlanClosure {
 /// Of PlanClosure::leaflet_ratio; below it systolic anterior motion is a risk (Maslow 1999, Popa 2013).
 inline constexpr double kLowLeafletRatio = 1.3;
 
+/// Whether a repair makes it one: the ratio is below kLowLeafletRatio and less than `before` the repair, by more than 0.05 (NaN: not known).
+bool raises_sam_risk(double ratio, double before);
+
 PlanClosure plan_closure(const Evaluation& evaluation);
 
 /// Converged, uncrossed, its leak a number.

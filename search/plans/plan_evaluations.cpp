@@ -366,7 +366,9 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
     if (const std::optional<Durability> lasts = durability(plan))
       all.amounts += durability_terms(*lasts).amounts;
   OperationMerits merits = operation_of(plan);
-  merits.avoidable_warnings += !tethered_ && plan.closures.at(0).leaflet_ratio < kLowLeafletRatio;
+  merits.avoidable_warnings +=
+      !tethered_ && raises_sam_risk(plan.closures.at(0).leaflet_ratio,
+                                    plan_closure(before_.evaluation).leaflet_ratio);
   return coapt::guide(all, mild, merits);
 }
 

@@ -41,6 +41,13 @@ TEST(ClosureGates, ALongPosteriorLeafletIsASignOfSystolicAnteriorMotion) {
   repaired.measure.posterior_length_mm = 16.0;
   expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::Warn, "below 1.3");
   expect_gate(closure_gates(repaired, quiet(), true), kRule, GateSeverity::NotAssessed, "tether");
+  expect_gate(closure_gates(repaired, repaired), kRule, GateSeverity::Pass,
+              "not lower than before the repair (1.2)");
+  Evaluation unknown = repaired, higher = repaired;
+  unknown.measure.posterior_length_mm = std::numeric_limits<double>::quiet_NaN();
+  higher.measure.posterior_length_mm = 15.0;
+  expect_gate(closure_gates(repaired, unknown), kRule, GateSeverity::Warn, "below 1.3");
+  expect_gate(closure_gates(repaired, higher), kRule, GateSeverity::Warn, "below 1.3");
   repaired.measure.posterior_length_mm = std::numeric_limits<double>::quiet_NaN();
   expect_gate(closure_gates(repaired, quiet()), kRule, GateSeverity::NotAssessed, "do not coapt");
 }
