@@ -126,6 +126,12 @@ void add_plan(Command parent, int& status) {
                   "Also offer a designed ring (coapt.ring/1) in all sizes (repeatable)")
       .show_argument("FILE")
       .one_at_a_time();
+  command
+      .add_option("--rings", arguments->ring_shapes,
+                  "Rings to offer: catalogue (as manufacturers sell them) or own (also in the "
+                  "annulus's own shape)")
+      .one_of(std::vector<std::string>{"catalogue", "own"})
+      .show_default();
   command.add_option("--search", arguments->search,
                      "Read search options, including cost weights, from a JSON file "
                      "(io/schema/search.schema.json)");

@@ -36,6 +36,7 @@ std::string command_line(const PlanArguments& arguments) {
     line << " --model-draws " << options.model_draws;
   if (!options.evidence) line << " --no-evidence";
   if (options.rank_by_price) line << " --rank price";
+  if (options.rules.own_ring) line << " --rings own";
   return line.str();
 }
 
@@ -68,6 +69,7 @@ int complete_options(const Command& command, PlanArguments& arguments) {
   }
   if (arguments.no_evidence) given.evidence = false;
   if (arguments.rank == "price") given.rank_by_price = true;
+  if (arguments.ring_shapes == "own") given.rules.own_ring = true;
   for (const std::string& word : arguments.forbidden) given.rules.forbidden.push_back(word);
   for (const std::string& file : arguments.rings) {
     const Expected<RingDesign> ring = read_ring_argument(file);

@@ -21,7 +21,7 @@ struct PlanArguments {
   std::vector<std::string> forbidden, rings;  ///< rings: files of coapt.ring/1
   ServerOption server;
   bool json = false, no_evidence = false;
-  std::string rank = "rule";
+  std::string rank = "rule", ring_shapes = "catalogue";
 };
 
 /// A command line that gives the same plans again, unless the search was cancelled or out of time; threads, store and

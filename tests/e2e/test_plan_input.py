@@ -70,6 +70,18 @@ class Rules(Input):
             self.assertNotIn("saddle_peak", {step["anchor"] for step in plan["plan"]["steps"]})
         self.assertIn({"what": "ring own", "why": "forbidden"}, result["cut"])
 
+    def test_the_annulus_s_own_shape_is_offered_on_request(self):
+        forbidden = ("--forbid", "papillary_approximation", "--forbid", "annuloplasty:generic-classic")
+        few = ("--evaluations", "20", "--plans", "1", "--region-points", "2", "--no-evidence", "--fine-levels", "0")
+        found = coapt("plan", "human-p2-prolapse", *few, *forbidden, "--rings", "own", "--json", "--model-draws", "0")
+        self.assertIn(found.returncode, [OK, NO_COMPETENT_PLAN], found.stderr)
+        result = json.loads(found.stdout)
+        self.assertTrue(result["reproduce"]["search"]["rules"]["own_ring"])
+        self.assertIn(" --rings own", result["reproduce"]["command"])
+        self.assertEqual(
+            {step["shape"] for plan in result["plans"] for step in plan["steps"] if "shape" in step}, {"own"}
+        )
+
     def test_fixed_and_forbidden_go_together(self):
         fixed = self.write("ring.json", plan_of(RING))
         result = self.plan("--fix", fixed, "--forbid", "papillary_approximation", evaluations=50)
