@@ -7,9 +7,11 @@
 #include "core/closed/accurate_closure.h"
 #include "core/closed/mesh_convergence.h"
 #include "core/valve/leaflets.h"
+#include "io/json/diagnosis_json.h"
 #include "io/json/model_study_json.h"
 #include "io/json/opening_json.h"
 #include "io/json/result_json.h"
+#include "io/json/valve_json.h"
 #include "operations/certainty.h"
 #include "operations/model_draws.h"
 #include "operations/stopwatch.h"
@@ -133,13 +135,19 @@ Expected<ClosedValve> closed_valve(const CloseRequest& asked, Context& context, 
 }
 
 /// Adds the tissue's part of the leak's error, by as many draws as asked for.
-Errors add_tissue(const CloseRequest& asked, Context& context, Json& answer) {
+Errors add_tissue(const CloseRequest& asked, const ClosedValve& closed, Context& context,
+                  Json& answer) {
   ModelStudyOptions study;
   study.draws = asked.draws;
   const Expected<ModelStudy> drawn = study_within(asked.repair, study, asked.closure, context);
   if (!drawn) return drawn.errors();
   const std::optional<Interval> tissue = tissue_interval(*drawn);
   answer["leak"]["tissue"] = tissue ? Json{tissue->low, tissue->high} : Json();
+  const ValveMeasure& measure = closed.measure;
+  const double area_mm2 = measure.leak.area_mm2;
+  answer["diagnosis"] =
+      to_json(diagnose(closed.valve, closed.closure, measure),
+              {area_mm2, area_interval(area_mm2, measure.leak_error_mm2), tissue, {}});
   answer["tissue_draws"] = tissue_draws_json(*drawn);
   return {};
 }
@@ -155,8 +163,9 @@ Expected<OperationAnswer> close(const CloseRequest& asked, Context& context) {
   if (mitral) closed = with_repair(*std::move(closed), before, plan);
   Json answer = closure_to_json(closed->valve, closed->closure, closed->measure, seconds);
   answer.update(finer);
+  if (!before.observed.empty()) answer["observed"] = to_json(before.observed);
   if (asked.draws > 0)
-    if (Errors errors = add_tissue(asked, context, answer); !errors.empty()) return errors;
+    if (Errors errors = add_tissue(asked, *closed, context, answer); !errors.empty()) return errors;
   std::vector<std::string> warnings;
   if (mitral) warnings = warnings_of(operation_gates({plan, before, repaired}));
   if (asked.open) {

@@ -10,6 +10,7 @@
 #include "clients/cli/print_opening.h"
 #include "core/metrics/estimate.h"
 #include "core/valve/number_text.h"
+#include "core/valve/observed.h"
 #include "io/json/json.h"
 #include "io/picture/model_study_page.h"
 #include "io/picture/text.h"
@@ -68,6 +69,23 @@ void print_leaflets(std::ostream& out, const Json& measure) {
                       << rounded(measure["tension_sum_n"], 1) << " N\n";
 }
 
+/// "leak 30 ± 8 mm2 (3D planimetry), widest gap 3 ± 0.5 mm".
+std::string observed_words(const Json& observed) {
+  std::string words;
+  for (const ObservedRow& figure : kObservedRows) {
+    const auto seen = observed.find(figure.name);
+    if (seen == observed.end()) continue;
+    std::string name = figure.name;  // with its unit
+    name.erase(name.rfind('_'));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    const std::string source = seen->value("source", "");
+    words += (words.empty() ? "" : ", ") + name + ' ' +
+             with_error(number_of((*seen)["value"]), number_of((*seen)["sd"]), figure.unit) +
+             (source.empty() ? "" : " (" + printable(source) + ")");
+  }
+  return words;
+}
+
 void print_measure(std::ostream& out, const Json& measure) {
   if (measure.contains("leaflets")) {
     print_leaflets(out, measure);
@@ -75,8 +93,12 @@ void print_measure(std::ostream& out, const Json& measure) {
   }
   const Json& coaptation = measure["coaptation"];
   print_leak(out, measure["leak"]);
-  if (const auto draws = measure.find("tissue_draws"); draws != measure.end())
-    row(out, "") << "over " << draws_words(*draws) << '\n';
+  const auto draws = measure.find("tissue_draws");
+  const bool has_draws = draws != measure.end();
+  if (has_draws) row(out, "") << "over " << draws_words(*draws) << '\n';
+  if (const auto observed = measure.find("observed"); observed != measure.end())
+    row(out, "observed") << observed_words(*observed) << (has_draws ? "" : "; used with --draws")
+                         << '\n';
   const Json& sections = coaptation["sections"];
   const auto touching = std::count_if(sections.begin(), sections.end(), [](const Json& section) {
     return section["contact"].get<bool>();
@@ -165,7 +187,9 @@ std::string leak_and_error(const Json& leak) {
   if (!leak.contains("numerical"))  // of earlier releases
     estimate.numerical = area_interval(estimate.value, number_of(leak.value("error_mm2", Json())));
   const auto [value, interval, cause] = words_of(estimate);
-  return value + " mm2" + (interval.empty() ? "" : "; " + interval + " mm2 " + cause);
+  if (!interval.empty()) return value + " mm2; " + interval + " mm2 " + cause;
+  const bool tissue_missing = estimate.numerical && !estimate.tissue;
+  return value + " mm2" + (tissue_missing ? " (numerical error; tissue error not known)" : "");
 }
 
 std::string draws_words(const Json& draws) {

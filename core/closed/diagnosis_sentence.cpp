@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/repair/limits.h"
+#include "core/valve/known_decimals.h"
 #include "core/valve/number_text.h"
 
 namespace coapt {
@@ -108,17 +109,27 @@ std::string reason(const Diagnosis& diagnosis, CarpentierType type) {
   return "";
 }
 
-std::string leak_of(const Diagnosis& diagnosis) {
-  const int decimals = diagnosis.leak_mm2 < 10.0 ? 1 : 0;
-  return with_decimals(diagnosis.leak_mm2, decimals) + " ± " +
-         with_decimals(diagnosis.leak_error_mm2, decimals) + " mm²";
+/// By the widest part of its error.
+std::string leak_of(const Diagnosis& diagnosis, const Estimate& leak) {
+  const std::optional<ErrorCause> cause = widest(leak);
+  const auto around = [&](double value, double error, int decimals) {
+    return with_decimals(value, decimals) + " ± " + with_decimals(error, decimals) + " mm²";
+  };
+  if (!cause)
+    return around(diagnosis.leak_mm2, diagnosis.leak_error_mm2, diagnosis.leak_mm2 < 10.0 ? 1 : 0);
+  const Interval wide = *part_of(leak, *cause);
+  const int decimals = known_decimals(half_width(leak));
+  if (*cause == ErrorCause::Numerical && wide.low <= leak.value && leak.value <= wide.high)
+    return around(leak.value, wide.high - leak.value, known_decimals(wide.high - leak.value));
+  return with_decimals(leak.value, decimals) + " mm² (" + with_decimals(wide.low, decimals) +
+         " to " + with_decimals(wide.high, decimals) + " mm² with " + to_string(*cause) + " error)";
 }
 
 }  // namespace
 
-std::string sentence_of(const Diagnosis& diagnosis) {
+std::string sentence_of(const Diagnosis& diagnosis, const Estimate& leak) {
   std::string text = diagnosis.competent ? "The valve is competent: it leaks " : "The valve leaks ";
-  text += leak_of(diagnosis);
+  text += leak_of(diagnosis, leak);
   for (std::size_t i = 0; i < diagnosis.types.size(); ++i) {
     const bool first = i == 0 && !diagnosis.competent;
     text += !first ? "; and " : diagnosis.type_sure ? " because " : ", probably because ";

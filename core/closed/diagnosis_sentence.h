@@ -4,11 +4,14 @@
 #include <string>
 
 #include "core/closed/diagnosis.h"
+#include "core/metrics/estimate.h"
 
 namespace coapt {
 
 /// Why it leaks: "The valve leaks 84 ± 7 mm² because the chordae of P2 are ruptured: its edge lies 9 mm too high above the opposite
 /// leaflet over 25 mm of its length (Carpentier type II)."
-std::string sentence_of(const Diagnosis& diagnosis);
+/// @param leak what is known of its error, of which the widest part is told: "leaks 58 mm² (24 to 47 mm² with tissue error)"; of
+/// nothing the diagnosis's own
+std::string sentence_of(const Diagnosis& diagnosis, const Estimate& leak = {});
 
 }  // namespace coapt

@@ -36,7 +36,7 @@ Json thresholds() {
 
 }  // namespace
 
-Json to_json(const std::optional<Diagnosis>& diagnosis) {
+Json to_json(const std::optional<Diagnosis>& diagnosis, const Estimate& leak) {
   if (!diagnosis) return {};
   const Diagnosis& of = *diagnosis;
   Json types = Json::array(), segments = Json::array();
@@ -60,7 +60,7 @@ Json to_json(const std::optional<Diagnosis>& diagnosis) {
       {"annulus",
        {{"ap_mm", of.ap_mm}, {"transverse_mm", of.transverse_mm}, {"dilated", of.annulus_dilated}}},
       {"thresholds", thresholds()},
-      {"sentence", sentence_of(of)}};
+      {"sentence", sentence_of(of, leak)}};
 }
 
 Json diagnosis_document(const Diagnosis& diagnosis, const Valve& valve) {

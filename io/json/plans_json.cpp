@@ -288,7 +288,7 @@ Json to_json(const SearchResult& result) {
   return result_document(
       "coapt.plans/2",
       {{"before", before_json(result)},
-       {"diagnosis", to_json(result.diagnosis)},
+       {"diagnosis", to_json(result.diagnosis, result.before_estimates.leak_mm2)},
        {"any_competent", result.any_acceptable},
        {"verdict", verdict_of(result.plans)},
        {"plans",

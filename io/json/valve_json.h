@@ -37,6 +37,7 @@ std::string write_tissue_file(const TissueFile& file);
 
 /// {"leak_mm2": {"value", "sd", "source"}, ...}, as of a valve's "observed"; form alone is checked.
 std::vector<Observation> read_observed(const JsonPlace& place);
+Json to_json(const std::vector<Observation>& observed);
 
 /// Stand-in Anterolateral.
 Side read_side(const JsonPlace& place);

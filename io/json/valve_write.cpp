@@ -178,6 +178,16 @@ Json leaflet_valve_json(const Valve& valve) {
 
 }  // namespace
 
+Json to_json(const std::vector<Observation>& observed) {
+  Json json = Json::object();
+  for (const Observation& seen : observed) {
+    Json& one = json[row_of(seen.figure).name];
+    one = {{"value", seen.value}, {"sd", seen.sd}};
+    if (!seen.source.empty()) one["source"] = seen.source;
+  }
+  return json;
+}
+
 std::string write_valve(const Valve& valve) {
   Json json = is_mitral(valve) ? mitral_json(valve) : leaflet_valve_json(valve);
   if (valve.systole != SystolicMotion{})
@@ -187,11 +197,7 @@ std::string write_valve(const Valve& valve) {
   if (valve.drawn_chordae)
     json["drawn_chordae"] = {{"seed", valve.drawn_chordae->seed},
                              {"tips_given", valve.drawn_chordae->tips_given}};
-  for (const Observation& seen : valve.observed) {
-    Json& one = json["observed"][row_of(seen.figure).name];
-    one = {{"value", seen.value}, {"sd", seen.sd}};
-    if (!seen.source.empty()) one["source"] = seen.source;
-  }
+  if (!valve.observed.empty()) json["observed"] = to_json(valve.observed);
   if (valve.fitted) json["fit"] = fitted_json(*valve.fitted);
   if (valve.patient) json["patient_frame"] = patient_frame_json(*valve.patient);
   std::string text = "{";

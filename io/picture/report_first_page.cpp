@@ -97,8 +97,11 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
 }
 
 std::string diagnosis(const PlanReport& report) {
-  return report.result.diagnosis ? tag("p", escape_html(sentence_of(*report.result.diagnosis)))
-                                 : "";
+  const SearchResult& result = report.result;
+  return result.diagnosis
+             ? tag("p",
+                   escape_html(sentence_of(*result.diagnosis, result.before_estimates.leak_mm2)))
+             : "";
 }
 
 std::string operation(const PlanReport& report, const RankedPlan& plan) {

@@ -69,6 +69,15 @@ class Observe(ProgramTest):
         self.assertEqual(after["tissue_draws"]["observed"], ["leak_mm2"])
         self.assertEqual(after["leak"]["area_mm2"], before["leak"]["area_mm2"])
         self.assertLess(after["leak"]["tissue"][1] - after["leak"]["tissue"][0], high - low)
+        self.assertEqual(after["observed"], {"leak_mm2": {"value": 40, "sd": 8}})
+        self.assertIn(" mm² with tissue error)", after["diagnosis"]["sentence"])
+
+    def test_a_plain_closure_says_what_was_observed_and_which_error_it_knows(self):
+        seen = self.observed("--leak", "30", "--leak-sd", "8", "--source", "3D planimetry")
+        said = self.run_ok("close", seen).stdout
+        self.assertRegex(said, r"observed +leak 30 ± 8 mm2 \(3D planimetry\); used with --draws")
+        self.assertRegex(said, r"leak +\d+ ± \d+ mm2 \(numerical error; tissue error not known\)")
+        self.assertNotIn("observed", self.run_ok("close", "human-functional-mr").stdout)
 
     def test_says_what_is_worth_measuring(self):
         result = coapt("study", "information", "human-functional-mr", "--draws", "32", "--json")

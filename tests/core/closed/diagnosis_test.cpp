@@ -94,6 +94,12 @@ TEST(Diagnosis, SaysInASentenceWhy) {
       "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for the "
       "leaflets: 33 x 36 mm, a ratio of 0.92 instead of 0.75 (Carpentier type I). Type IIIb is not "
       "ruled out. The leak is too close to 5 mm² to tell whether the valve is competent.");
+  Estimate leak{6.0, Interval{4.0, 8.0}, Interval{2.0, 16.0}, {}};
+  EXPECT_EQ(sentence_of(doubtful, leak)
+                .rfind("The valve leaks 6 mm² (2 to 16 mm² with tissue error), ", 0),
+            0U);
+  leak.tissue.reset();
+  EXPECT_EQ(sentence_of(doubtful, leak), sentence_of(doubtful));
 }
 
 TEST(Diagnosis, BothSidesOfACommissureAreOneLesion) {
