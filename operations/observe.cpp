@@ -1,4 +1,8 @@
 // Keeps with a valve what images show of it, by which later answers are weighed. Answers the file of the valve (coapt.valve/1).
+#include <algorithm>
+#include <optional>
+
+#include "core/valve/effective_leak.h"
 #include "core/valve/validate.h"
 #include "io/json/valve_json.h"
 #include "operations/repair_request.h"
@@ -10,6 +14,7 @@ namespace {
 struct ObserveRequest {
   Valve valve{};
   std::vector<Observation> observed{};
+  std::optional<EffectiveLeak> effective{};
   bool forget = false;
 };
 
@@ -17,7 +22,26 @@ Valve observed_valve(const ObserveRequest& asked) {
   Valve valve = asked.valve;
   if (asked.forget) valve.observed.clear();
   for (const Observation& seen : asked.observed) observe(valve.observed, seen);
+  if (asked.effective) observe(valve.observed, anatomic_leak(*asked.effective));
   return valve;
+}
+
+EffectiveLeak read_effective_leak(const JsonPlace& place) {
+  EffectiveLeak seen;
+  const auto in = [](Range range, const char* unit) {
+    return [=](const JsonPlace& at) { return read_number_in(at, range, unit); };
+  };
+  read_fields(place, {{"value", into(seen.value_mm2, in(kEffectiveLeaks_mm2, " mm2"))},
+                      {"sd", into(seen.sd_mm2, in(kEffectiveLeakSds_mm2, " mm2"))},
+                      {"discharge", into(seen.discharge, in(kDischarges, "")), false},
+                      {"discharge_sd", into(seen.discharge_sd, in(kDischargeSds, "")), false},
+                      {"source", into(seen.source, read_string), false}});
+  return seen;
+}
+
+bool has_leak(const std::vector<Observation>& observed) {
+  return std::any_of(observed.begin(), observed.end(),
+                     [](const Observation& seen) { return seen.figure == ObservedFigure::Leak; });
 }
 
 }  // namespace
@@ -25,10 +49,15 @@ Valve observed_valve(const ObserveRequest& asked) {
 Expected<OperationTask> read_observe(const Json& request, const Context& context) {
   ObserveRequest asked;
   ProblemList problems;
-  read_fields({request, problems}, {{"valve", valve_field(context, asked.valve)},
-                                    {"observed", into(asked.observed, read_observed), false},
-                                    {"forget", into(asked.forget, read_boolean), false}});
-  if (problems.empty() && asked.observed.empty() && !asked.forget)
+  read_fields({request, problems},
+              {{"valve", valve_field(context, asked.valve)},
+               {"observed", into(asked.observed, read_observed), false},
+               {"effective_leak", into(asked.effective, read_effective_leak), false},
+               {"forget", into(asked.forget, read_boolean), false}});
+  if (asked.effective && has_leak(asked.observed))
+    problems.add(ErrorCode::Unsupported, "/effective_leak",
+                 "is the figure of observed/leak_mm2; leave one of them out");
+  if (problems.empty() && asked.observed.empty() && !asked.effective && !asked.forget)
     problems.add(ErrorCode::MissingField, "/observed", "is required, or forget");
   if (!problems.empty()) return std::move(problems).take();
   const Valve valve = observed_valve(asked);

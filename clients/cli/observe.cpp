@@ -36,8 +36,16 @@ int run(const ObserveArguments& arguments, const std::optional<Service>& service
   AskedRequest asked = asked_repair(arguments.valve, {}, service);
   if (asked.failed) return asked.failed;
   if (arguments.forget) asked.request["forget"] = true;
-  if (any_observed(arguments.observed))
-    asked.request["observed"] = observed_json(arguments.observed);
+  if (const Json observed = observed_json(arguments.observed); !observed.empty())
+    asked.request["observed"] = observed;
+  if (const auto seen = effective_leak(arguments.observed)) {
+    Json& one = asked.request["effective_leak"];
+    one = {{"value", seen->value_mm2},
+           {"sd", seen->sd_mm2},
+           {"discharge", seen->discharge},
+           {"discharge_sd", seen->discharge_sd}};
+    if (!seen->source.empty()) one["source"] = seen->source;
+  }
   const Expected<OperationAnswer> answer = ask(service, "observe", asked.request, asked.here);
   if (!answer) return report_refusal("observe", answer.errors(), asked.sources);
   const std::string& document = std::get<AnswerFile>(*answer).bytes;
@@ -46,8 +54,8 @@ int run(const ObserveArguments& arguments, const std::optional<Service>& service
   if (const int failed = write_output(arguments.output, document)) return failed;
   if (arguments.output == "-") return exit_code::kOk;
   for (const Observation& seen : valve->observed)
-    std::cout << "  " << row_of(seen.figure).name << ": " << shown(seen.value) << ", sd "
-              << shown(seen.sd) << ' ' << row_of(seen.figure).unit
+    std::cout << "  " << row_of(seen.figure).name << ": " << significant(seen.value, 4) << ", sd "
+              << significant(seen.sd, 3) << ' ' << row_of(seen.figure).unit
               << (seen.source.empty() ? "" : ", " + seen.source) << '\n';
   return exit_code::kOk;
 }
@@ -74,6 +82,7 @@ void add_observe(Command parent, int& status) {
       "them.\n\n"
       "Examples:\n"
       "  coapt observe valve.json --leak 30 --leak-sd 8 --source \"3D planimetry\" -o seen.json\n"
+      "  coapt observe valve.json --effective-leak 24 --effective-leak-sd 5 -o seen.json\n"
       "  coapt observe seen.json --widest-gap 3 --widest-gap-sd 0.5 -o seen.json");
   on_run_by(command, "observe", arguments->server, {}, status,
             [arguments](const auto& service) { return run(*arguments, service); });

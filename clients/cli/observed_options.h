@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/valve/effective_leak.h"
 #include "core/valve/valve.h"
 #include "io/command_line/command_line.h"
 #include "io/json/json.h"
@@ -14,6 +15,8 @@ namespace coapt {
 struct ObservedOptions {
   std::array<std::optional<double>, kObservedFigures> values,
       sds;  ///< in the order of ObservedFigure
+  std::optional<double> effective_mm2, effective_sd_mm2;
+  EffectiveLeak discharge;  ///< its coefficient alone
   std::string source;
 };
 
@@ -26,11 +29,13 @@ std::string observed_option_names();
 
 bool any_observed(const ObservedOptions& options);
 
-/// A value without its standard deviation, or the other way round.
+/// A value without its standard deviation, or the other way round; the leak twice.
 Errors check_observed(const ObservedOptions& options);
 
-/// As of a valve's "observed".
+/// As of a valve's "observed"; without the effective leak.
 Json observed_json(const ObservedOptions& options);
+/// None was given. @pre check_observed() is empty
+std::optional<EffectiveLeak> effective_leak(const ObservedOptions& options);
 
 /// A figure that was given before is replaced.
 void take_observed(const ObservedOptions& options, Valve& valve);

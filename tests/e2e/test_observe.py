@@ -28,8 +28,22 @@ class Observe(ProgramTest):
             )
         self.assertNotIn("observed", json.loads(coapt("observe", path, "--forget", "-o", "-").stdout))
 
+    def test_an_effective_area_is_kept_as_the_anatomic_one_with_the_coefficient_s_spread(self):
+        path = self.observed("--effective-leak", "24", "--effective-leak-sd", "4", "--source", "PISA")
+        with open(path, encoding="utf-8") as file:
+            seen = json.load(file)["observed"]["leak_mm2"]
+        self.assertAlmostEqual(seen["value"], 30)
+        self.assertAlmostEqual(seen["sd"], (5**2 + (30 * 0.06 / 0.8) ** 2) ** 0.5)
+        self.assertEqual(seen["source"], "effective orifice area 24 ± 4 mm2, discharge coefficient 0.8 ± 0.06; PISA")
+
     def test_refuses_what_it_cannot_weigh_by(self):
         for arguments, words in [
+            (("--effective-leak", "24"), "--effective-leak-sd is required with --effective-leak"),
+            (
+                ("--effective-leak", "24", "--effective-leak-sd", "4", "--leak", "30", "--leak-sd", "8"),
+                "--effective-leak and --leak are of one figure",
+            ),
+            (("--effective-leak", "24", "--effective-leak-sd", "4", "--discharge", "0"), "0.5"),
             (("--leak", "30"), "--leak-sd is required with --leak"),
             (("--leak-sd", "8"), "--leak is required with --leak-sd"),
             (("--leak", "30", "--leak-sd", "0"), "0.01"),

@@ -32,7 +32,10 @@ REQUESTS = {
     "diagnose": [{}, CASE],
     "physiology": [{"kind": "healthy"}],
     "information": [{**CASE, "draws": 6}],
-    "observe": [{"observed": {"leak_mm2": {"value": 20, "sd": 5, "source": "echo"}}}],
+    "observe": [
+        {"observed": {"leak_mm2": {"value": 20, "sd": 5, "source": "echo"}}},
+        {"effective_leak": {"value": 16, "sd": 4, "discharge": 0.8, "discharge_sd": 0.06}},
+    ],
     "evaluate": [{"plans": [RING, {"schema": "coapt.plan/1", "steps": []}], "region_points": 2}],
     "report": [{"plans": [RING]}],
     "export": [{"format": "ply"}, {**CASE, "format": "mrk.json"}],

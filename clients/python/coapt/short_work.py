@@ -165,18 +165,27 @@ class ShortWork(Asking):
         return information
 
     def observe(
-        self, valve: Valve, observed: Mapping[str, Mapping[str, Any]] | None = None, *, forget: bool = False
+        self,
+        valve: Valve,
+        observed: Mapping[str, Mapping[str, Any]] | None = None,
+        *,
+        effective_leak: Mapping[str, Any] | None = None,
+        forget: bool = False,
     ) -> dict[str, Any]:
         """The valve (coapt.valve/1) with observations from images, which weight later results.
 
         >>> seen = client.observe("human-functional-mr", {"leak_mm2": {"value": 50, "sd": 10, "source": "3D planimetry"}})
         >>> seen["observed"]["leak_mm2"]["sd"]
         10.0
+        >>> client.observe("human-functional-mr", effective_leak={"value": 24, "sd": 5})["observed"]["leak_mm2"]["value"]
+        30.0
 
         :param observed: "leak_mm2", "tenting_area_mm2", "widest_gap_mm": each a "value", its standard deviation "sd", a "source"
+        :param effective_leak: instead of "leak_mm2" an effective area, "value" and "sd", with its "discharge" (0.8) and
+            "discharge_sd" (0.06): stored as the anatomic area
         :param forget: remove earlier observations
         """
-        request = {**given(observed=observed), "forget": forget}
+        request = {**given(observed=observed, effective_leak=effective_leak), "forget": forget}
         seen: dict[str, Any] = self._ask("/v1/valves:observe", valve, request).json()
         return seen
 
