@@ -242,14 +242,16 @@ class Hostile(unittest.TestCase):
         threading.Thread(target=serve, daemon=True).start()
         return coapt.Client(f"http://127.0.0.1:{listening.getsockname()[1]}", retries=0)
 
-    def test_an_answer_has_a_limit(self):
-        body = b" " * 2000
-        client = self.served(b"HTTP/1.1 200 OK\r\nContent-Length: 2000\r\n\r\n" + body)
-        with unittest.mock.patch("coapt.http_transport._MOST_BYTES", 1000), self.assertRaises(
-            coapt.Unreachable
-        ) as raised:
-            client.presets()
-        self.assertIn("answered with more than", str(raised.exception))
+    def test_an_answer_has_a_limit_and_so_has_a_refusal(self):
+        for status in ("200 OK", "422 No"):
+            for length in ("Content-Length: 2000", "Connection: close"):
+                with self.subTest(status=status, length=length):
+                    client = self.served(f"HTTP/1.1 {status}\r\n{length}\r\n\r\n".encode() + b" " * 2000)
+                    with unittest.mock.patch("coapt.http_transport._MOST_BYTES", 1000), self.assertRaises(
+                        coapt.Unreachable
+                    ) as raised:
+                        client.presets()
+                    self.assertIn("answered with more than", str(raised.exception))
 
     def test_its_words_do_not_move_the_terminal(self):
         body = b'{"title": "\\u001b[2J", "problems": [{"message": "\\u001b]0;pwned\\u0007\\u009b31m\\u202e"}]}'

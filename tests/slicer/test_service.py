@@ -1,11 +1,13 @@
 """A service is found or started, and asked without waiting; what is wrong with it is said."""
 
+import contextlib
 import os
 import pathlib
 import socket
 import threading
 import time
 import unittest
+import unittest.mock
 
 from programs import SERVER
 from slicer_runs import Asked, SlicerTest, service
@@ -62,6 +64,21 @@ class Finding(Asked):
             threading.Thread(target=self.answer_nonsense, args=(other,), daemon=True).start()
             said = self.trouble(self.finder({"url": f"http://127.0.0.1:{other.getsockname()[1]}"}).found())
         self.assertIn("does not answer as a coapt service does", said)
+
+    def test_an_answer_without_end_is_given_up(self):
+        with socket.create_server(("127.0.0.1", 0)) as other, unittest.mock.patch.object(
+            service, "MOST_BYTES", 1 << 20
+        ):
+            threading.Thread(target=self.answer_without_end, args=(other,), daemon=True).start()
+            asked = service.Service(f"http://127.0.0.1:{other.getsockname()[1]}").ask("GET", "/v1/presets")
+            self.assertIn("answered with more than 1 MiB", self.trouble(self.steps(asked)))
+
+    @staticmethod
+    def answer_without_end(listening):
+        with listening.accept()[0] as connection, contextlib.suppress(OSError):
+            connection.sendall(b"HTTP/1.1 422 No\r\nConnection: close\r\n\r\n")
+            while True:
+                connection.sendall(b" " * 65536)
 
     @staticmethod
     def answer_nonsense(listening):

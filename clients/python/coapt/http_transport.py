@@ -148,7 +148,7 @@ class HttpTransport(CopiedAsItself):
             connection.request(method, target, content, self._sent(content, headers))
             response = connection.getresponse()
             if response.status >= 400:
-                raise refusal(response.status, response.read(), response.getheader("Retry-After"))
+                raise refusal(response.status, self._body(response), response.getheader("Retry-After"))
             yield response
         finally:
             connection.close()

@@ -19,6 +19,7 @@ import tempfile
 import time
 import urllib.parse
 
+MOST_BYTES = 256 << 20  # of an answer
 SILENCE_S = 120.0  # of a service, after which a request is given up
 LISTENS_S = 30.0  # that a program may take to listen
 POLL_S = 0.4  # between questions how far a job is
@@ -141,6 +142,8 @@ class Exchange:
         while part := self.socket.recv(1 << 18):
             self._in += part
             self._heard = time.monotonic()
+            if len(self._in) > MOST_BYTES:
+                return self._end(f"{self.service.url} answered with more than {MOST_BYTES >> 20} MiB.")
         response = http.client.HTTPResponse(_Received(bytes(self._in)))
         response.begin()
         self._answer = Answer(response.status, response.read())
