@@ -195,7 +195,8 @@ int run(int argc, char** argv) {
       "Examples:\n"
       "  export COAPT_TOKEN=$(coapt-server --db coapt.sqlite --print-token)\n"
       "  coapt-server --db coapt.sqlite &\n"
-      "  curl -H \"Authorization: Bearer $COAPT_TOKEN\" -d '{\"valve\": \"human-functional-mr\"}' "
+      "  curl --retry 9 --retry-connrefused -H \"Authorization: Bearer $COAPT_TOKEN\" -d "
+      "'{\"valve\": \"human-functional-mr\"}' "
       "http://127.0.0.1:8080/v1/closures");
   line.end_helps_with(std::string(kResearchNotice));
   if (const std::optional<int> ended = line.parse(argc, argv)) return *ended;

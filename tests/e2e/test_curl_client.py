@@ -2,15 +2,19 @@
 
 import json
 import os
+import pathlib
+import re
 import signal
+import socket
 import subprocess
 import unittest
 
-from programs import FAILURE, OK, SERVER, SOURCE, ProgramTest, coapt
+from programs import FAILURE, NO_COMPETENT_PLAN, OK, SERVER, SOURCE, ProgramTest, coapt
 from server_runs import Server, search_of
 
 CLIENT = SOURCE / "examples/requests/search.sh"
 TOKEN = "open-sesame-2026"
+SHORT = "--evaluations 12 --plans 1 --region-points 2 --fine-levels 0 --model-draws 0 --no-evidence"
 
 
 class CurlClient(ProgramTest):
@@ -75,6 +79,52 @@ class CurlClient(ProgramTest):
                 status, out, err = self.run_client(*arguments, token=token)
                 self.assertEqual((status, out), (FAILURE, ""), err)
                 self.assertIn(said, err)
+
+
+def free_port():
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        return listening.getsockname()[1]
+
+
+class DocumentedLines(ProgramTest):
+    """Lines of the documents that start a service and ask it, as they stand: but for its port, and for fewer evaluations."""
+
+    def run_lines(self, lines):
+        port, programs = free_port(), pathlib.Path(SERVER).parent
+        lines = lines.replace("make programs\n", "").replace("build/release/bin/", "").replace(":8080", f":{port}")
+        lines = lines.replace("coapt.sqlite &", f"coapt.sqlite --port {port} &")
+        lines = lines.replace(
+            '200, "plans": 3, "region_points": 65',
+            '12, "plans": 3, "region_points": 2, "fine_levels": 0, "model_draws": 0',
+        )
+        lines = lines.replace("plan human-functional-mr", f"plan human-functional-mr {SHORT}")
+        surroundings = {name: value for name, value in os.environ.items() if not name.startswith("COAPT_")}
+        run = subprocess.run(
+            ["bash", "-c", f"set -eu -o pipefail\ntrap 'kill $(jobs -p)' EXIT\n{lines}"],
+            cwd=self.folder,
+            env=surroundings | {"PATH": f"{programs}:{os.environ['PATH']}"},
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+        self.assertIn(run.returncode, (OK, NO_COMPETENT_PLAN), f"{lines}\n{run.stdout}\n{run.stderr}")
+        return run.stdout
+
+    def test_of_the_service(self):
+        text = (SOURCE / "docs/engineer/service.md").read_text()
+        start, plans = re.findall(r"^```\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[:2]
+        self.run_lines(start + plans)
+        self.assertEqual(json.loads((self.folder / "job.json").read_text())["state"], "SUCCEEDED")
+        self.assertEqual(json.loads((self.folder / "plans.json").read_text())["schema"], "coapt.plans/2")
+        self.assertIn("<html", (self.folder / "report.html").read_text())
+        self.assertTrue((self.folder / "before-after.png").read_bytes().startswith(b"\x89PNG"))
+        self.assertGreater((self.folder / "closed.stl").stat().st_size, 10_000)
+
+    def test_of_the_site_and_of_the_manual_page(self):
+        site = (SOURCE / "docs/site/index.md").read_text().split("## Over HTTP\n```\n")[1].split("```")[0]
+        manual = (SOURCE / "docs/man/coapt-server.1.scd").read_text().split("# EXAMPLES\n\n\t")[1].split("\n\n")[0]
+        for lines in (site, manual.replace("++\n", "\n")):
+            self.assertIn('"coapt.closure/2"', self.run_lines(lines))
 
 
 if __name__ == "__main__":
