@@ -232,6 +232,21 @@ class Processes(EngineTest):
         with self.assertRaises(coapt.InvalidRequest):
             Parallel(2)(delayed(leak_of)(plan) for plan in (Plan(), Plan(Ring("generic-classic", size_mm=36.3))))
 
+    @unittest.skipUnless(importlib.util.find_spec("dask"), "needs dask")
+    def test_dask_has_refusals_beside_results(self):
+        import dask
+
+        def computed(*tasks):
+            return dask.compute(*tasks, scheduler="processes", num_workers=2)
+
+        valve, leak = self.client.preset(VALVE), dask.delayed(leak_of)
+        plans = (Plan(), Plan(OwnRing(2)))
+        self.assertEqual(computed(*map(leak, plans)), tuple(map(leak_of, plans)))
+        (closure,) = computed(dask.delayed(coapt.LocalValve.close)(valve))
+        self.assertEqual(closure.strain.tolist(), valve.close().strain.tolist())
+        with self.assertRaises(coapt.InvalidRequest):
+            computed(leak(Plan()), leak(Plan(Ring("generic-classic", size_mm=36.3))))
+
     def test_valves_and_closures_travel(self):
         valve = self.client.preset(VALVE)
         wider = valve.with_arrays(annulus_mm=valve.annulus_mm * 1.02)
