@@ -28,6 +28,15 @@ def readers_of(server):
     return list(found)
 
 
+def processor_s(pid):
+    """That a process has used; 0 once it has ended."""
+    try:
+        fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    except OSError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def within(seconds, condition):
     """What it says in the end."""
     until = time.monotonic() + seconds
@@ -152,6 +161,24 @@ class Imports(ServerTest):
         self.assertEqual(server.ask("POST", "/v1/closures", {"valve": "human-normal"}).status, 200)
         small = {"files": [self.long_import()["annulus"]]}
         self.assertEqual(server.ask("POST", "/v1/imports:preview", small).status, 200)
+
+    def test_the_core_is_free_within_a_second_after_the_client_has_gone(self):
+        """In processor time, which does not depend on what else the machine does."""
+        server = self.start_server("left.sqlite", "--vertex-steps", 1e12, "--vertices", 30_000)
+        body = json.dumps(self.long_import() | {"triangles": 40_000}).encode()
+        head = f"POST /v1/valves:import HTTP/1.1\r\nHost: localhost\r\nContent-Length: {len(body)}\r\n\r\n"
+        with socket.create_connection(("127.0.0.1", server.port)) as client:
+            client.sendall(head.encode() + body)
+            readers = within(20, lambda: readers_of(server))
+            self.assertEqual(len(readers), 1)
+            self.assertTrue(within(120, lambda: processor_s(readers[0]) > 2.0), "it computes")
+        used_then, own_then, used = processor_s(readers[0]), processor_s(server.process.pid), 0.0
+        while readers_of(server):
+            used = max(used, processor_s(readers[0]) - used_then)
+            self.assertLess(used, 1.0)
+            time.sleep(0.02)
+        self.assertEqual(server.ask("POST", "/v1/closures", {"valve": "human-normal"}).status, 200)
+        self.assertLess(processor_s(server.process.pid) - own_then, 1.0, "nor does the service compute it")
 
     def test_a_reader_ends_with_its_client_and_with_the_service(self):
         server = self.start_server("gone.sqlite", "--vertex-steps", 1e12)
