@@ -21,7 +21,7 @@ ENGINE := build/wasm/bin/coapt-engine.wasm
 PLANNER := build/wasm/bin/coapt-planner.wasm
 ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server attacks farm-chaos instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -180,6 +180,18 @@ bench-server: programs  ## what the service adds to a closure, watching jobs und
 	lab/service/jobs_under_load.py
 	lab/service/crowded.py
 	tests/service/hostile.py --requests 1000 --seconds 180
+
+attacks: programs  ## the service under attack, its long form: 20,000 hostile requests, a soak, kills, damaged databases (an hour)
+	@cmake/install_packages.sh test
+	lab/service/crowded.py
+	tests/service/hostile.py --requests 20000 --seconds 1200
+	tests/service/hostile.py --requests 1000 --seconds 480 --growth-files 8
+	tests/service/kill_nine.py
+	tests/service/damaged_databases.py
+
+farm-chaos: programs  ## a farm whose workers are killed every 5 s through a million closures (2.5 hours of two cores)
+	@cmake/install_packages.sh farm
+	lab/farm/chaos.py $(BIN) --anatomies 480
 
 instructions: lab  ## machine instructions of a closure by function, where clocks are noisy
 	@cmake/install_packages.sh profile

@@ -1,11 +1,13 @@
-"""A killed service goes on where it was: tests/service/kill_nine.py with three searches."""
+"""A killed service goes on where it was, and one with a damaged database says so: tests/service/kill_nine.py with three searches,
+damaged_databases.py with six databases."""
 
 import unittest
 
 from programs import SERVER, ProgramTest
 import server_runs  # noqa: F401 (the path of kill_nine)
 
-import kill_nine  # found through server_runs
+import damaged_databases  # found through server_runs
+import kill_nine
 
 
 class Kill(ProgramTest):
@@ -13,6 +15,10 @@ class Kill(ProgramTest):
         figures = kill_nine.run(SERVER, self.folder, searches=3, evaluations=40)
         self.assertEqual(figures["wrong"], [])
         self.assertGreaterEqual(figures["kills"], 3)
+
+    def test_a_damaged_database_is_served_or_refused(self):
+        figures = damaged_databases.run(SERVER, self.folder, seeds=range(6))
+        self.assertEqual(figures["wrong"], [])
 
 
 if __name__ == "__main__":

@@ -5,11 +5,12 @@ import threading
 import time
 import urllib.parse
 
-from served import ENDED, ask, search_of
+from served import ENDED, SOURCE, ask, search_of
 from wire import Wrong, abandon, expect, head
 
 PRESET = "human-functional-mr"
 PLAN = {"schema": "coapt.plan/1", "steps": [{"step": "annuloplasty", "shape": "own", "sizes_below": 2}]}
+EXAMPLES = json.loads((SOURCE / "server/openapi.json").read_text())["components"]["examples"]
 # 155 closures, kept after the first time.
 STUDY = {"name": "annulus"}
 
@@ -194,6 +195,31 @@ def valves(world, random):
     word = expect(world.ask("DELETE", path), 204)
     expect(world.ask("GET", path), 404)
     return word
+
+
+def valve_import(world, random):
+    """Files of the contract's example, read in a process of their own."""
+    skirt = {**EXAMPLES["one_skirt"]["value"], "triangles": random.randint(100, 300)}
+    word = expect(world.ask("POST", "/v1/valves:import", skirt), 200, 201)
+    expect(world.ask("POST", "/v1/imports:preview", {"files": [*skirt["leaflets"], skirt["annulus"]]}), 200)
+    return word
+
+
+def other_answers(world, random):
+    path, more = random.choice(
+        [
+            ("/v1/scenes", {"frames": 3}),
+            ("/v1/openings", {}),
+            ("/v1/diagnoses", {}),
+            ("/v1/pictures", {}),
+            ("/v1/exports", {"format": random.choice(["stl", "vtk", "glb", "csv", "feb"])}),
+            ("/v1/exports:files", {"formats": ["ply", "slicerheart"]}),
+            ("/v1/comparisons", {"closed": {"valve": PRESET}, "reference": {"valve": PRESET, "plan": PLAN}}),
+            ("/v1/reports", {"plans": [PLAN], "region_points": 2}),
+        ]
+    )
+    valve = {} if path == "/v1/comparisons" else {"valve": world.any_valve(random)}
+    return expect(world.ask("POST", path, valve | more), 200)
 
 
 def kept_plans(world, random):

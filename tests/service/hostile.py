@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Good, bad and hostile requests in a fixed random order against a service of one's own: each must get
-the answer that its kind allows, no job may be lost, and memory must stay flat."""
+the answer that its kind allows, no job may be lost, and memory and open files must stay flat: spread over minutes, a soak."""
 
 import collections
 import pathlib
@@ -32,6 +32,8 @@ KINDS = {
     good.follow: 40,
     good.valves: 20,
     good.kept_plans: 20,
+    good.valve_import: 10,
+    good.other_answers: 20,
     good.small_reads: 60,
     bad.no_json: 60,
     bad.wrong_shape: 60,
@@ -68,7 +70,7 @@ def schedule(count, seed):
 
 
 class Memory:
-    """Resident memory of the server, twice a second, and what its own metrics say of it."""
+    """Resident memory of the server and how many files it has open, twice a second."""
 
     def __init__(self, server):
         self.server, self.samples, self.ended = server, [], threading.Event()
@@ -79,21 +81,22 @@ class Memory:
     def watch(self):
         while not self.ended.wait(0.5):
             try:
-                self.samples.append((time.monotonic() - self.start, self.server.resident_mib()))
+                now = time.monotonic() - self.start
+                self.samples.append((now, self.server.resident_mib(), self.server.open_files()))
             except (OSError, AttributeError):  # it has gone: the requests will tell
                 return
 
     def thirds(self):
-        """Median MiB of the first and of the last third of the time."""
+        """Medians of the first and of the last third of the time: MiB, then open files."""
         self.ended.set()
         self.thread.join()
-        mib = [sample for _, sample in self.samples]
-        third = max(1, len(mib) // 3)
-        return statistics.median(mib[:third]), statistics.median(mib[-third:])
+        third = max(1, len(self.samples) // 3)
+        parts = self.samples[:third], self.samples[-third:]
+        return [[statistics.median(sample[column] for sample in part) for part in parts] for column in (1, 2)]
 
     def write(self, path):
         """As CSV."""
-        lines = ["seconds,resident_mib"] + [f"{seconds:.1f},{mib:.1f}" for seconds, mib in self.samples]
+        lines = ["seconds,resident_mib"] + [f"{seconds:.1f},{mib:.1f}" for seconds, mib, _ in self.samples]
         path.write_text("\n".join(lines) + "\n")
 
 
@@ -146,7 +149,7 @@ def examine(server, requests, seconds, seed, curve=None):
         world, outcomes, wrong = run(server, requests, seconds, seed)
         took = time.monotonic() - start
     finally:
-        first_mib, last_mib = memory.thirds()
+        (first_mib, last_mib), open_files = memory.thirds()
         if curve:
             memory.write(curve)
     jobs = []
@@ -168,6 +171,7 @@ def examine(server, requests, seconds, seed, curve=None):
         "jobs_deleted": len(world.deleted),
         "first_third_mib": round(first_mib, 1),
         "last_third_mib": round(last_mib, 1),
+        "open_files": open_files,
         "metrics_mib": own and round(own / (1 << 20), 1),
         "wrong": wrong,
     }
@@ -184,6 +188,7 @@ def main():
         default=16.0,
         help="by how much memory may grow from the first third of the time to the last",
     )
+    parser.add_argument("--growth-files", type=float, default=16.0, help="likewise, of the files that it has open")
     parser.add_argument("--curve", type=pathlib.Path, help="CSV of memory over time")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
@@ -196,12 +201,14 @@ def main():
         finally:
             server.kill()
     growth = figures["last_third_mib"] - figures["first_third_mib"]
-    figures["met"] = not figures["wrong"] and growth <= options.growth_mib
+    more_files = figures["open_files"][1] - figures["open_files"][0]
+    figures["met"] = not figures["wrong"] and growth <= options.growth_mib and more_files <= options.growth_files
     report(
         figures,
         f"{options.requests} requests in {figures['seconds']} s, {len(figures['wrong'])} wrong; "
         f"{figures['jobs_at_end']} jobs kept, {figures['jobs_deleted']} deleted; memory "
-        f"{figures['first_third_mib']} -> {figures['last_third_mib']} MiB (target: +{options.growth_mib} at most)",
+        f"{figures['first_third_mib']} -> {figures['last_third_mib']} MiB (target: +{options.growth_mib} at most), "
+        f"open files {figures['open_files'][0]:.0f} -> {figures['open_files'][1]:.0f}",
     )
     for line in figures["wrong"][:20]:
         print(" ", line)

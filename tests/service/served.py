@@ -112,6 +112,9 @@ class Server:
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return int(re.search(r"VmRSS:\s+(\d+) kB", status).group(1)) / 1024
 
+    def open_files(self):
+        return len(list(pathlib.Path(f"/proc/{self.process.pid}/fd").iterdir()))
+
     def stop(self, seconds=60):
         """Ends it as a service manager does; its exit code."""
         self.process.send_signal(signal.SIGTERM)
