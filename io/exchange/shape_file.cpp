@@ -107,6 +107,14 @@ std::optional<Error> displace(VtuGrid& grid, const std::string& name) {
           "' with three numbers per point; available: " + (names.empty() ? "none" : names)};
 }
 
+WantedArrays wanted_arrays(const ShapeFileOptions& options) {
+  return [options](std::string_view name) {
+    if (name == options.displacement || name == options.leaflets) return true;
+    return options.leaflets.empty() &&
+           std::find(kLeafletArrays.begin(), kLeafletArrays.end(), name) != kLeafletArrays.end();
+  };
+}
+
 Expected<LeafletMesh> read_grid(Expected<VtuGrid> grid, const ShapeFileOptions& options) {
   if (!grid) return grid.errors();
   if (const auto problem = displace(*grid, options.displacement)) return *problem;
@@ -115,6 +123,7 @@ Expected<LeafletMesh> read_grid(Expected<VtuGrid> grid, const ShapeFileOptions& 
     if (array.components != 1) continue;
     FaceLabels& labels = arrays.emplace_back();
     labels.name = array.name;
+    if (array.values.empty()) continue;  // listed, not read
     for (const int cell : grid->mesh.polygons)
       labels.of_face.push_back(array.values[static_cast<std::size_t>(cell)]);
   }
@@ -161,8 +170,8 @@ Expected<LeafletMesh> read_shape(std::string_view bytes, std::string_view format
                                  const ShapeFileOptions& options) {
   const auto read = [&]() -> Expected<LeafletMesh> {
     if (format == "vtk") return read_legacy(bytes, options);
-    if (format == "vtu") return read_grid(read_vtu(bytes), options);
-    if (format == "vtp") return read_grid(read_vtp(bytes), options);
+    if (format == "vtu") return read_grid(read_vtu(bytes, wanted_arrays(options)), options);
+    if (format == "vtp") return read_grid(read_vtp(bytes, wanted_arrays(options)), options);
     Expected<TriangleMesh> mesh = read_mesh(bytes, format);
     if (!mesh) return mesh.errors();
     return in_pieces(std::move(mesh->vertices_mm), std::move(mesh->faces));

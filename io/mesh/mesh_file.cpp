@@ -35,8 +35,8 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
     return TriangleMesh{std::move(data->points_mm), std::move(data->faces), {}};
   }
   if (format == "vtp" || format == "vtu") {
-    Expected<VtuGrid> grid =
-        format == "vtp" ? read_vtp(bytes, most_unpacked) : read_vtu(bytes, most_unpacked);
+    Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes, no_array, most_unpacked)
+                                             : read_vtu(bytes, no_array, most_unpacked);
     if (!grid) return grid.errors();
     return std::move(grid->mesh);
   }

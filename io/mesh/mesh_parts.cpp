@@ -198,10 +198,15 @@ MeshParts vtk_parts(VtkPolyData data) {
   return parts;
 }
 
+bool numbers_parts(std::string_view array) {
+  return std::find(kPartArrays.begin(), kPartArrays.end(), lower(std::string(array))) !=
+         kPartArrays.end();
+}
+
 MeshParts grid_parts(VtuGrid grid) {
   std::vector<FaceNumbers> arrays;
   for (const VtuArray& array : grid.cell_data) {
-    if (array.components != 1) continue;
+    if (array.components != 1 || !numbers_parts(array.name)) continue;
     FaceNumbers& numbers = arrays.emplace_back();
     numbers.name = array.name;
     for (const int cell : grid.mesh.polygons)
@@ -223,14 +228,14 @@ Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view for
   if (format == "stl") return parts_of(read_stl_file(bytes), stl_parts);
   if (format == "vtk") return parts_of(read_vtk(bytes), vtk_parts);
   if (format == "vtp") {
-    Expected<MeshParts> parts = parts_of(read_vtp(bytes, most_unpacked), grid_parts);
+    Expected<MeshParts> parts = parts_of(read_vtp(bytes, numbers_parts, most_unpacked), grid_parts);
     const Expected<VtpLines> lines = read_vtp_lines(bytes, most_unpacked);
     if (parts && lines)
       if (Points line = line_of(lines->pieces, lines->points_mm); line.rows() > 0)
         parts->parts.push_back({"", {Points(0, 3), Faces(0, 3), {}}, std::move(line)});
     return parts;
   }
-  if (format == "vtu") return parts_of(read_vtu(bytes, most_unpacked), grid_parts);
+  if (format == "vtu") return parts_of(read_vtu(bytes, numbers_parts, most_unpacked), grid_parts);
   return parts_of(read_mesh(bytes, format), in_large_pieces);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "io/mesh/text_scan.h"
-#include "io/mesh/vtk_xml_bytes.h"
 
 namespace coapt {
 namespace {
@@ -117,13 +116,13 @@ Expected<VtkXml> read_vtk_xml(std::string_view bytes, std::string_view type) {
 }
 
 Expected<std::vector<double>> read_data_array(const VtkXml& file, const XmlElement& array,
-                                              const std::string& path, std::size_t& left) {
-  const auto counted = [&left](Expected<std::vector<double>> numbers) {
-    if (numbers) left -= std::min(left, sizeof(double) * numbers->size());
-    return numbers;
-  };
+                                              const std::string& path, UnpackBudget& budget) {
   const std::string format = array.attribute("format");
-  if (format == "ascii") return counted(read_words(array.text, path));
+  if (format == "ascii") {
+    Expected<std::vector<double>> numbers = read_words(array.text, path);
+    if (numbers) budget.left_bytes -= std::min(budget.left_bytes, sizeof(double) * numbers->size());
+    return numbers;
+  }
   StoredBytes stored{without_space(array.text), false, file.wide_header, file.compressor};
   if (format == "appended") {
     const auto offset = to_integer(without_space(array.attribute("offset")));
@@ -135,9 +134,7 @@ Expected<std::vector<double>> read_data_array(const VtkXml& file, const XmlEleme
     return Error{ErrorCode::Unsupported, path,
                  "has format '" + format.substr(0, 20) + "', accepted: ascii, binary, appended"};
   }
-  const Expected<std::string> bytes = unpacked(stored, path, left);
-  if (!bytes) return bytes.errors();
-  return counted(numbers_of(*bytes, array.attribute("type"), path, left));
+  return unpacked_numbers(stored, array.attribute("type"), path, budget);
 }
 
 }  // namespace coapt

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/valve/types.h"
+#include "io/mesh/vtk_xml_bytes.h"
 
 namespace coapt {
 
@@ -30,8 +31,8 @@ struct VtkXml {
 /// The elements of a file of this type ("UnstructuredGrid").
 Expected<VtkXml> read_vtk_xml(std::string_view bytes, std::string_view type);
 
-/// The numbers of a DataArray, whose bytes are taken off what is `left` for the file. Errors have `path`.
+/// The numbers of a DataArray, which are taken off the budget of the file. Errors have `path`.
 Expected<std::vector<double>> read_data_array(const VtkXml& file, const XmlElement& array,
-                                              const std::string& path, std::size_t& left);
+                                              const std::string& path, UnpackBudget& budget);
 
 }  // namespace coapt

@@ -15,11 +15,15 @@ namespace {
 
 constexpr std::uint64_t kMaxLzmaMemory = std::uint64_t{256} << 20;
 
-Error too_large(const std::string& path) {
-  return {
-      ErrorCode::OutOfRange, path,
-      "makes the arrays of the file larger than the 96 MiB accepted; save it without those that "
-      "are not needed"};
+/// Bytes that an array may unpack to, and what all arrays of the file may have.
+struct Room {
+  std::uint64_t bytes = 0, of_file = 0;
+};
+
+Error too_large(const std::string& path, const Room& room) {
+  return {ErrorCode::OutOfRange, path,
+          "makes the arrays of the file larger than the " + std::to_string(room.of_file >> 20) +
+              " MiB accepted; save it without those that are not needed"};
 }
 
 Error damaged(const std::string& path) {
@@ -98,7 +102,7 @@ bool inflate_lzma(std::string_view block, std::string& out) {
 }
 
 Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::string& path,
-                                      std::uint64_t most) {
+                                      const Room& room) {
   const bool lzma = stored.compressor == "vtkLZMADataCompressor";
   if (!lzma && stored.compressor != "vtkZLibDataCompressor")
     return Error{ErrorCode::Unsupported, path,
@@ -117,9 +121,11 @@ Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::stri
   const auto head = source.peek(width * (3 + blocks));
   if (!head) return damaged(path);
   source.skip(width * (3 + blocks));
-  const std::uint64_t whole = count_at(*head, 1), last = count_at(*head, 2);
-  if (blocks > 0 && (last > whole || whole > most || (blocks - 1) * whole + last > most))
-    return too_large(path);
+  const std::uint64_t whole = count_at(*head, 1), shorter = count_at(*head, 2),
+                      last = shorter > 0 ? shorter : whole;
+  if (blocks > 0 &&
+      (last > whole || whole > room.bytes || (blocks - 1) * whole + last > room.bytes))
+    return too_large(path, room);
   std::uint64_t packed_size = 0;
   for (std::uint64_t i = 0; i < blocks; ++i) {
     const std::uint64_t size = count_at(*head, 3 + i);
@@ -132,7 +138,7 @@ Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::stri
   std::size_t at = 0;
   for (std::uint64_t i = 0; i < blocks; ++i) {
     const std::uint64_t size = count_at(*head, 3 + i);
-    block.resize(i + 1 == blocks && last > 0 ? last : whole);
+    block.resize(i + 1 == blocks ? last : whole);
     const std::string_view in = std::string_view(*packed).substr(at, size);
     if (!(lzma ? inflate_lzma(in, block) : inflate_zlib(in, block))) return damaged(path);
     all += block;
@@ -141,15 +147,35 @@ Expected<std::string> unpacked_blocks(const StoredBytes& stored, const std::stri
   return all;
 }
 
+/// At most `most` bytes, which is known before one is unpacked.
+Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
+                               const Room& room) {
+  if (!stored.compressor.empty()) return unpacked_blocks(stored, path, room);
+  const std::uint64_t width = stored.wide_header ? 8 : 4;
+  const Source source(stored);
+  const auto head = source.peek(width);
+  if (!head) return damaged(path);
+  const std::uint64_t size = stored.wide_header ? little_endian_at<std::uint64_t>(*head, 0)
+                                                : little_endian_at<std::uint32_t>(*head, 0);
+  if (size > stored.bytes.size()) return damaged(path);
+  if (size > room.bytes) return too_large(path, room);
+  auto all = source.peek(width + size);
+  if (!all) return damaged(path);
+  return all->substr(width);
+}
+
 template <class T>
-Expected<std::vector<double>> numbers_as(std::string_view bytes, const std::string& path,
-                                         std::size_t most) {
-  if (bytes.size() % sizeof(T) != 0) return damaged(path);
-  if (bytes.size() / sizeof(T) > most / sizeof(double)) return too_large(path);
+Expected<std::vector<double>> numbers_as(const StoredBytes& stored, const std::string& path,
+                                         UnpackBudget& budget) {
+  const Room room{budget.left_bytes / sizeof(double) * sizeof(T), budget.most_bytes};
+  const Expected<std::string> bytes = unpacked(stored, path, room);
+  if (!bytes) return bytes.errors();
+  if (bytes->size() % sizeof(T) != 0) return damaged(path);
   std::vector<double> numbers;
-  numbers.reserve(bytes.size() / sizeof(T));
-  for (std::size_t at = 0; at < bytes.size(); at += sizeof(T))
-    numbers.push_back(static_cast<double>(little_endian_at<T>(bytes, at)));
+  numbers.reserve(bytes->size() / sizeof(T));
+  for (std::size_t at = 0; at < bytes->size(); at += sizeof(T))
+    numbers.push_back(static_cast<double>(little_endian_at<T>(*bytes, at)));
+  budget.left_bytes -= sizeof(double) * numbers.size();
   return numbers;
 }
 
@@ -161,34 +187,18 @@ std::optional<std::string> from_base64(std::string_view text) {
   return Source({text, false, false, {}}).peek(text.size() / 4 * 3 - padding);
 }
 
-Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
-                               std::size_t most) {
-  if (!stored.compressor.empty()) return unpacked_blocks(stored, path, most);
-  const std::uint64_t width = stored.wide_header ? 8 : 4;
-  const Source source(stored);
-  const auto head = source.peek(width);
-  if (!head) return damaged(path);
-  const std::uint64_t size = stored.wide_header ? little_endian_at<std::uint64_t>(*head, 0)
-                                                : little_endian_at<std::uint32_t>(*head, 0);
-  if (size > stored.bytes.size()) return damaged(path);
-  if (size > most) return too_large(path);
-  auto all = source.peek(width + size);
-  if (!all) return damaged(path);
-  return all->substr(width);
-}
-
-Expected<std::vector<double>> numbers_of(std::string_view bytes, std::string_view type,
-                                         const std::string& path, std::size_t most) {
-  if (type == "Float32") return numbers_as<float>(bytes, path, most);
-  if (type == "Float64") return numbers_as<double>(bytes, path, most);
-  if (type == "Int8") return numbers_as<std::int8_t>(bytes, path, most);
-  if (type == "UInt8") return numbers_as<std::uint8_t>(bytes, path, most);
-  if (type == "Int16") return numbers_as<std::int16_t>(bytes, path, most);
-  if (type == "UInt16") return numbers_as<std::uint16_t>(bytes, path, most);
-  if (type == "Int32") return numbers_as<std::int32_t>(bytes, path, most);
-  if (type == "UInt32") return numbers_as<std::uint32_t>(bytes, path, most);
-  if (type == "Int64") return numbers_as<std::int64_t>(bytes, path, most);
-  if (type == "UInt64") return numbers_as<std::uint64_t>(bytes, path, most);
+Expected<std::vector<double>> unpacked_numbers(const StoredBytes& stored, std::string_view type,
+                                               const std::string& path, UnpackBudget& budget) {
+  if (type == "Float32") return numbers_as<float>(stored, path, budget);
+  if (type == "Float64") return numbers_as<double>(stored, path, budget);
+  if (type == "Int8") return numbers_as<std::int8_t>(stored, path, budget);
+  if (type == "UInt8") return numbers_as<std::uint8_t>(stored, path, budget);
+  if (type == "Int16") return numbers_as<std::int16_t>(stored, path, budget);
+  if (type == "UInt16") return numbers_as<std::uint16_t>(stored, path, budget);
+  if (type == "Int32") return numbers_as<std::int32_t>(stored, path, budget);
+  if (type == "UInt32") return numbers_as<std::uint32_t>(stored, path, budget);
+  if (type == "Int64") return numbers_as<std::int64_t>(stored, path, budget);
+  if (type == "UInt64") return numbers_as<std::uint64_t>(stored, path, budget);
   return Error{ErrorCode::Unsupported, path,
                "has type '" + std::string(type.substr(0, 20)) +
                    "', accepted: Float32, Float64, Int8 to Int64, UInt8 to UInt64"};

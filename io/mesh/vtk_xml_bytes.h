@@ -12,6 +12,11 @@
 
 namespace coapt {
 
+/// What the arrays of a file may have as numbers of 8 bytes, however narrow they are stored, and what of it is left.
+struct UnpackBudget {
+  std::size_t most_bytes = 0, left_bytes = most_bytes;
+};
+
 struct StoredBytes {
   std::string_view bytes;  ///< from the array's beginning on, to the end of what there is
   bool raw = false;        ///< else base64
@@ -19,16 +24,13 @@ struct StoredBytes {
   std::string_view compressor;  ///< "", "vtkZLibDataCompressor" or "vtkLZMADataCompressor"
 };
 
-/// At most `most` bytes, which is known before one is unpacked. Errors have `path`: InputOutput (truncated or damaged),
-/// Unsupported, OutOfRange.
-Expected<std::string> unpacked(const StoredBytes& stored, const std::string& path,
-                               std::size_t most);
+/// The numbers of an array, which are taken off the budget. What is too large is refused before a byte is unpacked.
+/// Errors have `path`: InputOutput (truncated or damaged), Unsupported, OutOfRange.
+/// @param type VTK's names, "Float32" to "UInt64".
+Expected<std::vector<double>> unpacked_numbers(const StoredBytes& stored, std::string_view type,
+                                               const std::string& path, UnpackBudget& budget);
 
 /// Base64 without blanks; none: it is not.
 std::optional<std::string> from_base64(std::string_view text);
-
-/// `type`: VTK's names, "Float32" to "UInt64". At most `most` bytes of numbers.
-Expected<std::vector<double>> numbers_of(std::string_view bytes, std::string_view type,
-                                         const std::string& path, std::size_t most);
 
 }  // namespace coapt

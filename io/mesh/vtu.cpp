@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "io/mesh/mesh_builder.h"
 #include "io/mesh/text_scan.h"
 #include "io/mesh/vtk_xml.h"
-#include "io/mesh/vtk_xml_bytes.h"
 
 namespace coapt {
 namespace {
@@ -87,8 +87,12 @@ void add_cell(int type, const std::vector<long long>& corners, MeshBuilder& mesh
 
 class VtuReader {
  public:
-  VtuReader(const VtkXml& file, bool is_grid, std::size_t most_unpacked)
-      : file_(file), sections_(sections_of(file)), left_(most_unpacked), is_grid_(is_grid) {}
+  VtuReader(const VtkXml& file, bool is_grid, WantedArrays wanted, std::size_t most_unpacked)
+      : file_(file),
+        sections_(sections_of(file)),
+        wanted_(std::move(wanted)),
+        budget_{most_unpacked},
+        is_grid_(is_grid) {}
 
   Expected<VtuGrid> read() {
     if (const auto wrong = wrong_pieces()) return *wrong;
@@ -166,12 +170,14 @@ class VtuReader {
     errors_.push_back({code, path, message});
   }
 
+  /// After the first array that cannot be read no other is unpacked.
   std::vector<double> numbers(const XmlElement* array, const std::string& path) {
     if (array == nullptr) {
       fail(ErrorCode::MissingField, path, "is missing");
       return {};
     }
-    Expected<std::vector<double>> list = read_data_array(file_, *array, path, left_);
+    if (!errors_.empty()) return {};
+    Expected<std::vector<double>> list = read_data_array(file_, *array, path, budget_);
     if (list) return *std::move(list);
     errors_.insert(errors_.end(), list.errors().begin(), list.errors().end());
     return {};
@@ -218,15 +224,18 @@ class VtuReader {
 
   std::vector<VtuArray> data(const std::string& section, const std::string& path) {
     std::vector<VtuArray> list;
+    std::set<std::string> names;
     for (const XmlElement* array : sections_.arrays[section]) {
       if (array->attribute("type") == "String") continue;
       const std::string name = array->attribute("Name");
+      if (!names.insert(name).second) continue;
       const auto components = to_integer(array->attribute("NumberOfComponents"));
       if (components && (*components < 1 || *components > 100)) {
         fail(ErrorCode::OutOfRange, path + name, "must have 1 to 100 components");
         continue;
       }
-      list.push_back({name, static_cast<int>(components.value_or(1)), numbers(array, path + name)});
+      list.push_back({name, static_cast<int>(components.value_or(1)), {}});
+      if (wanted_(name)) list.back().values = numbers(array, path + name);
     }
     return list;
   }
@@ -234,7 +243,8 @@ class VtuReader {
   void check_lengths(const std::vector<VtuArray>& arrays, std::size_t rows,
                      const std::string& path) {
     for (const VtuArray& array : arrays)
-      if (array.values.size() != rows * static_cast<std::size_t>(array.components))
+      if (wanted_(array.name) &&
+          array.values.size() != rows * static_cast<std::size_t>(array.components))
         fail(ErrorCode::OutOfRange, path + array.name,
              "has " + std::to_string(array.values.size()) + " numbers, must have " +
                  std::to_string(array.components) + " for each of " + std::to_string(rows));
@@ -243,28 +253,32 @@ class VtuReader {
   const VtkXml& file_;
   Sections sections_;
   Errors errors_;
-  std::size_t cells_ = 0, left_;
+  WantedArrays wanted_;
+  UnpackBudget budget_;
+  std::size_t cells_ = 0;
   bool is_grid_;
 };
 
 }  // namespace
 
-Expected<VtuGrid> read_vtu(std::string_view bytes, std::size_t most_unpacked) {
+Expected<VtuGrid> read_vtu(std::string_view bytes, const WantedArrays& wanted,
+                           std::size_t most_unpacked) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "UnstructuredGrid");
   if (!file) return file.errors();
-  return VtuReader(*file, true, most_unpacked).read();
+  return VtuReader(*file, true, wanted, most_unpacked).read();
 }
 
-Expected<VtuGrid> read_vtp(std::string_view bytes, std::size_t most_unpacked) {
+Expected<VtuGrid> read_vtp(std::string_view bytes, const WantedArrays& wanted,
+                           std::size_t most_unpacked) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
   if (!file) return file.errors();
-  return VtuReader(*file, false, most_unpacked).read();
+  return VtuReader(*file, false, wanted, most_unpacked).read();
 }
 
 Expected<VtpLines> read_vtp_lines(std::string_view bytes, std::size_t most_unpacked) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
   if (!file) return file.errors();
-  return VtuReader(*file, false, most_unpacked).read_lines();
+  return VtuReader(*file, false, no_array, most_unpacked).read_lines();
 }
 
 }  // namespace coapt

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,21 +17,28 @@ namespace coapt {
 struct VtuArray {
   std::string name;
   int components = 1;
-  std::vector<double> values;  ///< row by row
+  std::vector<double> values;  ///< row by row; empty if nobody asked for them
 };
+
+/// Whether the values of this array are unpacked.
+using WantedArrays = std::function<bool(std::string_view name)>;
+
+inline bool no_array(std::string_view) { return false; }
 
 struct VtuGrid {
   TriangleMesh mesh;  ///< TriangleMesh::polygons: the cell of each triangle
-  std::vector<VtuArray> point_data, cell_data;
+  std::vector<VtuArray> point_data, cell_data;  ///< of several of one name the first
 };
 
 /// One piece; numbers as text, as base64 or raw, apart or in place, plain or compressed by zlib or LZMA. Triangles,
 /// quadrangles, pixels, polygons and strips; points and lines (chordae) are passed over. Unsupported: cells with a volume,
 /// quadratic cells, several pieces, LZ4, big-endian files.
-Expected<VtuGrid> read_vtu(std::string_view bytes, std::size_t most_unpacked = kMostUnpacked);
+Expected<VtuGrid> read_vtu(std::string_view bytes, const WantedArrays& wanted,
+                           std::size_t most_unpacked = kMostUnpacked);
 
 /// The same of a PolyData file; its cells are numbered vertices, lines, polygons, strips.
-Expected<VtuGrid> read_vtp(std::string_view bytes, std::size_t most_unpacked = kMostUnpacked);
+Expected<VtuGrid> read_vtp(std::string_view bytes, const WantedArrays& wanted,
+                           std::size_t most_unpacked = kMostUnpacked);
 
 struct VtpLines {
   Points points_mm;

@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace coapt;
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(bytes) + 1, size - 1);
+  const auto all = [](std::string_view) { return true; };
   constexpr std::string_view kMeshes[] = {"obj", "ply", "stl", "vtk"};
   switch (bytes[0] % 16) {
     case 4:
@@ -29,10 +30,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
       (void)read_markups(text);
       return 0;
     case 8:
-      (void)read_vtu(text);
+      (void)read_vtu(text, all);
       return 0;
     case 9:
-      (void)read_vtp(text);
+      (void)read_vtp(text, all);
       return 0;
     case 10:
       (void)companions_of({"m.vtm", std::string(text)});

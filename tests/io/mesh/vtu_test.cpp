@@ -11,6 +11,10 @@
 namespace coapt {
 namespace {
 
+Expected<VtuGrid> read_vtu_all(std::string_view bytes) {
+  return read_vtu(bytes, [](std::string_view) { return true; });
+}
+
 enum class Packing { None, Zlib, Lzma };
 
 template <class T>
@@ -118,7 +122,7 @@ void expect_quad_and_triangle(const Expected<VtuGrid>& grid) {
 TEST(Vtu, IsReadRawAndInBase64PlainAndCompressed) {
   for (const Packing packing : {Packing::None, Packing::Zlib, Packing::Lzma})
     for (const bool raw : {false, true}) {
-      const Expected<VtuGrid> grid = read_vtu(file_of(packing, raw));
+      const Expected<VtuGrid> grid = read_vtu_all(file_of(packing, raw));
       expect_quad_and_triangle(grid);
       ASSERT_EQ(grid->cell_data.size(), 1U);
       EXPECT_EQ(grid->cell_data[0].name, "element_sets");
@@ -130,7 +134,7 @@ TEST(Vtu, IsReadRawAndInBase64PlainAndCompressed) {
 }
 
 TEST(Vtu, IsReadWithNumbersInPlace) {
-  expect_quad_and_triangle(read_vtu(
+  expect_quad_and_triangle(read_vtu_all(
       "<VTKFile type='UnstructuredGrid'><UnstructuredGrid><Piece NumberOfPoints='5' "
       "NumberOfCells='3'><Points><DataArray type='Float32' format='ascii'>0 0 0 1 0 0\n1 1 0 0 1 0 "
       "2 "
@@ -147,7 +151,7 @@ TEST(Vtu, RefusesWhatItCannotReadAndSaysWhere) {
   const auto refusal = [&](const std::string& from, const std::string& to) {
     std::string bad = good;
     bad.replace(bad.find(from), from.size(), to);
-    const Expected<VtuGrid> grid = read_vtu(bad);
+    const Expected<VtuGrid> grid = read_vtu_all(bad);
     EXPECT_FALSE(grid) << to;
     return grid ? Error{} : grid.errors().front();
   };
@@ -159,19 +163,19 @@ TEST(Vtu, RefusesWhatItCannotReadAndSaysWhere) {
   EXPECT_EQ(refusal("connectivity", "corners").path, "/cells/connectivity");
   EXPECT_EQ(refusal("base64\">\n_", "base64\">\n_!!!!").code, ErrorCode::InputOutput);
   EXPECT_EQ(refusal("<Piece", "<Piece/><Piece").code, ErrorCode::Unsupported);
-  EXPECT_EQ(read_vtu("").errors().front().code, ErrorCode::InputOutput);
+  EXPECT_EQ(read_vtu_all("").errors().front().code, ErrorCode::InputOutput);
 }
 
 TEST(Vtu, CutShortAnywhereIsRefusedAndNeverRead) {
   for (const bool raw : {false, true}) {
     const std::string good = file_of(Packing::Zlib, raw);
     for (std::size_t size = 0; size + 40 < good.size(); size += 7)
-      EXPECT_FALSE(read_vtu(std::string_view(good).substr(0, size))) << size;
+      EXPECT_FALSE(read_vtu_all(std::string_view(good).substr(0, size))) << size;
   }
 }
 
 /// A .vtp of so many arrays at one place, which holds 8 MiB of zeros in as many blocks, packed into some kilobytes.
-std::string bomb(int arrays, std::uint64_t blocks) {
+std::string bomb(int arrays, std::uint64_t blocks, const std::string& type = "Float64") {
   constexpr std::uint64_t kBlock = std::uint64_t{8} << 20;
   const std::string block = packed(std::string(kBlock, '\0'), Packing::Zlib);
   std::vector<std::uint64_t> head = {blocks, kBlock, 0};
@@ -186,7 +190,7 @@ std::string bomb(int arrays, std::uint64_t blocks) {
       "</Points><Polys><DataArray Name='connectivity' format='ascii'>0 1 2</DataArray><DataArray "
       "Name='offsets' format='ascii'>3</DataArray></Polys><PointData>";
   for (int i = 0; i < arrays; ++i)
-    text += "<DataArray type='Float64' Name='a" + std::to_string(i) +
+    text += "<DataArray type='" + type + "' Name='a" + std::to_string(i) +
             "' format='appended' offset='0'/>";
   return text + "</PointData></Piece></PolyData><AppendedData encoding='raw'>_" + bytes_of(head) +
          body + "</AppendedData></VTKFile>";
@@ -196,11 +200,34 @@ TEST(Vtu, WhatUnpacksWithoutEndIsRefusedWithOneLimitForTheFile) {
   for (const auto& [arrays, blocks] : {std::pair{200, 1}, std::pair{1, 13}, std::pair{13, 1}}) {
     const std::string file = bomb(arrays, static_cast<std::uint64_t>(blocks));
     EXPECT_LT(file.size(), 150'000u);
-    const Expected<VtuGrid> grid = read_vtp(file);
+    const Expected<VtuGrid> grid = read_vtp(file, [](std::string_view) { return true; });
     ASSERT_FALSE(grid);
     EXPECT_EQ(grid.errors()[0].code, ErrorCode::OutOfRange);
     EXPECT_NE(grid.errors()[0].message.find("96 MiB"), std::string::npos);
   }
+}
+
+std::string without_its_bytes(std::string file) {
+  const std::size_t end = file.find("</AppendedData>");
+  return file.replace(end - 1000, 1000, std::string(1000, 'x'));
+}
+
+TEST(Vtu, NarrowNumbersCountAsWhatTheyBecomeAndAreRefusedBeforeTheyAreUnpacked) {
+  const auto all = [](std::string_view) { return true; };
+  const Expected<VtuGrid> wide = read_vtp(without_its_bytes(bomb(200, 1, "Float64")), all);
+  ASSERT_FALSE(wide);
+  EXPECT_EQ(wide.errors()[0].code, ErrorCode::InputOutput);  // it fits, and was looked into
+  const Expected<VtuGrid> narrow = read_vtp(without_its_bytes(bomb(200, 2, "UInt8")), all);
+  ASSERT_FALSE(narrow);  // 16 Mi numbers of a byte, 12 Mi fit
+  ASSERT_EQ(narrow.errors().size(), 1U);
+  EXPECT_EQ(narrow.errors()[0].code, ErrorCode::OutOfRange);
+}
+
+TEST(Vtu, ArraysThatNobodyAsksForAreListedAndNotUnpacked) {
+  const Expected<VtuGrid> grid = read_vtp(without_its_bytes(bomb(200, 13)), no_array);
+  ASSERT_TRUE(grid);
+  ASSERT_EQ(grid->point_data.size(), 200U);
+  EXPECT_TRUE(grid->point_data[199].values.empty());
 }
 
 TEST(Vtu, LinesOfAPolyDataFile) {
@@ -230,7 +257,7 @@ TEST(Vtu, RefusesCellsWithAVolume) {
       "Name='connectivity' format='ascii'>0 1 2 3</DataArray><DataArray Name='offsets' "
       "format='ascii'>4</DataArray><DataArray Name='types' format='ascii'>10</DataArray></Cells>"
       "</Piece></UnstructuredGrid></VTKFile>";
-  const Expected<VtuGrid> grid = read_vtu(text);
+  const Expected<VtuGrid> grid = read_vtu_all(text);
   ASSERT_FALSE(grid);
   EXPECT_EQ(grid.errors()[0].code, ErrorCode::Unsupported);
   EXPECT_EQ(grid.errors()[0].path, "/cells/0");
