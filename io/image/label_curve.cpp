@@ -3,6 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 #include "core/valve/number_text.h"
@@ -15,7 +18,7 @@ constexpr int kAngles = 72;
 constexpr int kWidestGap = 12;  // angles without a voxel: 60 degrees, as of contours
 constexpr int kNoisyGap = 3;    // of a thin ring on coarse voxels: 15 degrees
 constexpr Index kLeastVoxels = 36;
-// A band of 28 mm2 about 130 mm, in voxels of 0.15 mm: 1.1 million. Each takes 100 bytes.
+// A band of 28 mm2 about 130 mm, in voxels of 0.15 mm: 1.1 million. Each takes 4 bytes.
 constexpr Index kMostRingVoxels = 2'000'000;
 constexpr double kLeastHole = 0.25;  // of the mean radius: what is nearer to the middle is no ring
 constexpr double kWidestBand = 0.5;  // of the radius at its angle
@@ -23,17 +26,50 @@ constexpr int kLineSmoothings = 2;
 constexpr int kCentrings =
     2;  // the middle is that of the line, not of voxels that are more on one side
 
-Points centres(const LabelMap& map, const LabelVoxels& voxels, const LabelBox& box) {
-  Points points(box.count, 3);
-  Index row = 0;
-  for (Index k = box.min[2]; k <= box.max[2]; ++k)
-    for (Index j = box.min[1]; j <= box.max[1]; ++j)
-      for (Index i = box.min[0]; i <= box.max[0]; ++i)
-        if (voxels(i, j, k))
-          points.row(row++) =
-              map.centre_mm(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-  return points;
-}
+/// Centres of a label's voxels, computed anew whenever they are needed: strangers' maps have a million of them.
+class Centres {
+ public:
+  Centres(const LabelMap& map, const LabelVoxels& voxels, const LabelBox& box) : map_(map) {
+    at_.reserve(static_cast<std::size_t>(box.count));
+    for (Index k = box.min[2]; k <= box.max[2]; ++k)
+      for (Index j = box.min[1]; j <= box.max[1]; ++j)
+        for (Index i = box.min[0]; i <= box.max[0]; ++i)
+          if (voxels(i, j, k))
+            at_.push_back(static_cast<std::uint32_t>((k * map.size[1] + j) * map.size[0] + i));
+  }
+
+  double count() const { return static_cast<double>(at_.size()); }
+
+  void each(const std::function<void(const Eigen::RowVector3d&)>& look) const {
+    for (const Index at : at_) {
+      const Index row = at / map_.size[0];
+      look(map_.centre_mm(static_cast<double>(at % map_.size[0]),
+                          static_cast<double>(row % map_.size[1]),
+                          static_cast<double>(row / map_.size[1])));
+    }
+  }
+
+  Eigen::RowVector3d middle() const {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    each([&](const Eigen::RowVector3d& point) { sum += point; });
+    return sum / count();
+  }
+
+  /// In the plane, in the plane, across: columns.
+  Eigen::Matrix3d axes(const Eigen::RowVector3d& middle) const {
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    each([&](const Eigen::RowVector3d& point) {
+      spread += (point - middle).transpose() * (point - middle);
+    });
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    return solver.eigenvectors().rowwise().reverse();
+  }
+
+ private:
+  static_assert(kMostVoxels <= std::numeric_limits<std::uint32_t>::max());
+  const LabelMap& map_;
+  std::vector<std::uint32_t> at_;  ///< in the label's layer
+};
 
 struct Gap {
   int angles = 0, end = 0;
@@ -46,23 +82,24 @@ struct Ring {
   double least_radius = 1e300, mean_radius = 0.0;
 };
 
-/// `points` in the axes of the plane, about the middle; z is across.
-Ring sorted(const Points& points) {
+/// In the axes of the plane about the middle; z is across.
+Ring sorted(const Centres& centres, const Eigen::RowVector3d& middle, const Eigen::Matrix3d& axes) {
   Ring ring;
   std::array<double, kAngles> least{}, most{};
   least.fill(1e300);
-  for (Index p = 0; p < points.rows(); ++p) {
-    const double radius = points.row(p).head<2>().norm();
-    const double turn = std::atan2(points(p, 1), points(p, 0)) / (2.0 * std::numbers::pi) + 0.5;
+  centres.each([&](const Eigen::RowVector3d& centre) {
+    const Eigen::RowVector3d point = (centre - middle) * axes;
+    const double radius = point.head<2>().norm();
+    const double turn = std::atan2(point.y(), point.x()) / (2.0 * std::numbers::pi) + 0.5;
     const int angle = std::min(kAngles - 1, static_cast<int>(turn * kAngles));
     const auto a = static_cast<std::size_t>(angle);
-    ring.line.row(angle) += points.row(p);
+    ring.line.row(angle) += point;
     ++ring.count[a];
     least[a] = std::min(least[a], radius);
     most[a] = std::max(most[a], radius);
     ring.least_radius = std::min(ring.least_radius, radius);
-    ring.mean_radius += radius / static_cast<double>(points.rows());
-  }
+    ring.mean_radius += radius / centres.count();
+  });
   for (int a = 0; a < kAngles; ++a) {
     const auto at = static_cast<std::size_t>(a);
     if (ring.count[at] == 0) continue;
@@ -107,16 +144,13 @@ Expected<Points> label_curve(const LabelMap& map, const LabelAt& label) {
   if (box.count < kLeastVoxels || box.count > kMostRingVoxels)
     return no_ring(label,
                    "it has " + std::to_string(box.count) + " voxels, must have 36 to 2000000");
-  const Points points = centres(map, voxels, box);
-  Eigen::RowVector3d middle = points.colwise().mean();
-  const Points centred = points.rowwise() - middle;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
-  Eigen::Matrix3d axes;  // columns: in the plane, in the plane, across
-  axes << solver.eigenvectors().col(2), solver.eigenvectors().col(1), solver.eigenvectors().col(0);
+  const Centres centres(map, voxels, box);
+  Eigen::RowVector3d middle = centres.middle();
+  const Eigen::Matrix3d axes = centres.axes(middle);
   Ring ring;
   Gap gap;
   for (int pass = 0; pass <= kCentrings; ++pass) {
-    ring = sorted((points.rowwise() - middle) * axes);
+    ring = sorted(centres, middle, axes);
     gap = bridge(ring);
     if (gap.angles > kWidestGap)
       return no_ring(label,

@@ -2,10 +2,8 @@
 """What heavy and hostile clients leave to others: how long a small closure of another address waits beside them, and how much
 memory the service and its processes take; beside the same of release 0.2, into attacks.csv."""
 
-import base64
 import collections
 import csv
-import gzip
 import json
 import pathlib
 import socket
@@ -14,20 +12,16 @@ import sys
 import tempfile
 import threading
 import time
-import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/service"))
 
+from grown_files import checkerboard, named, repeated_arrays  # noqa: E402
 from served import SOURCE, Server, parser_of, report  # noqa: E402
 from wire import post  # noqa: E402
 
 SMALL = {"valve": "human-normal"}
 OTHER = "127.0.0.2"  # the address of who is watched
 REAL = SOURCE / "examples/valves/source/bodyparts3d"
-
-
-def named(name, content):
-    return {"name": name, "base64": base64.b64encode(content).decode()}
 
 
 def import_of(triangles):
@@ -37,35 +31,6 @@ def import_of(triangles):
     ]
     annulus = named("annulus.csv", (REAL / "annulus_centerline.csv").read_bytes())
     return {"leaflets": leaflets, "annulus": annulus, "chordae_seed": 1, "triangles": triangles}
-
-
-def checkerboard(side):
-    """A label map in which every voxel has six neighbours of the other label."""
-    header = f"NRRD0004\ntype: uchar\ndimension: 3\nsizes: {side} {side} {side}\nencoding: gzip\n"
-    header += "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n\n"
-    row = bytes(1 + i % 2 for i in range(side + 1))
-    plane = [b"".join(row[(y + z) % 2 :][:side] for y in range(side)) for z in (0, 1)]
-    voxels = gzip.compress(b"".join(plane[z % 2] for z in range(side)), 9)
-    return {"labels": named("map.nrrd", header.encode() + voxels), "chordae_seed": 1}
-
-
-def repeated_arrays(arrays, megabytes):
-    """A .vtp of many arrays that are the same bytes."""
-    block = zlib.compress(bytes(megabytes << 20), 9)
-    data = b"".join(n.to_bytes(4, "little") for n in (1, megabytes << 20, 0, len(block))) + block
-    lines = "".join(f'<DataArray type="UInt8" Name="a{i}" format="appended" offset="0"/>' for i in range(arrays))
-    head = '<VTKFile type="PolyData" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><PolyData>'
-    head += (
-        f'<Piece NumberOfPoints="3" NumberOfPolys="1"><PointData>{lines}</PointData><Points><DataArray type="Float32" '
-    )
-    head += (
-        'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points><Polys><DataArray type="Int32" '
-    )
-    head += (
-        'Name="connectivity" format="ascii">0 1 2</DataArray><DataArray type="Int32" Name="offsets" format="ascii">3'
-    )
-    head += '</DataArray></Polys></Piece></PolyData><AppendedData encoding="raw">_'
-    return {"leaflets": [named("bomb.vtp", head.encode() + data + b"</AppendedData></VTKFile>")], "chordae_seed": 1}
 
 
 class Attack:
@@ -176,7 +141,9 @@ BEFORE = {
     "8 closures of 4,900 vertices": (20.0, None),
     "2 imports of 20,000 triangles": (180.0, 758),
     "2 label maps of 160³ voxels, clients gone": (48.0, 2355),
+    "1 label map of 128³ voxels": (None, 767),
     "1 label map of 230³ voxels": (None, 4416),
+    "1 label map of 256³ voxels": (None, 5120),  # where its address space ended
     "1 preview of 7,973 files": (None, 336),
     "1 VTP file of 200 arrays": (None, 6042),
 }
@@ -191,7 +158,8 @@ def attacks(server, heavy):
     yield "2 imports of 20,000 triangles", Attack(server, "/v1/valves:import", import_of(20_000), 2, 0.3)
     yield "2 imports of 9,000 triangles", Attack(server, "/v1/valves:import", import_of(9_000), 2)
     yield "2 label maps of 160³ voxels, clients gone", Attack(server, "/v1/valves:import", one_map, 2, 0.3)
-    yield "1 label map of 230³ voxels", Attack(server, "/v1/valves:import", checkerboard(230), 1)
+    for side in (128, 230, 256):
+        yield f"1 label map of {side}³ voxels", Attack(server, "/v1/valves:import", checkerboard(side), 1)
     yield "1 preview of 7,973 files", Attack(server, "/v1/imports:preview", previews, 1)
     yield "1 VTP file of 200 arrays", Attack(server, "/v1/valves:import", repeated_arrays(200, 30), 1)
     yield "100 small closures at once", Attack(server, "/v1/closures", SMALL, 100)

@@ -4,6 +4,7 @@ import base64
 import json
 import os
 import pathlib
+import re
 import signal
 import socket
 import threading
@@ -12,6 +13,8 @@ import unittest
 
 from programs import SOURCE
 from server_runs import ServerTest
+
+from grown_files import checkerboard, repeated_arrays  # found through server_runs
 
 
 def readers_of(server):
@@ -35,6 +38,16 @@ def processor_s(pid):
     except OSError:
         return 0.0
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def peak_mib(pid):
+    """Of a process; 0 once it has ended."""
+    try:
+        status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    except OSError:
+        return 0.0
+    peak = re.search(r"VmHWM:\s+(\d+) kB", status)
+    return int(peak[1]) / 1024 if peak else 0.0
 
 
 def within(seconds, condition):
@@ -161,6 +174,25 @@ class Imports(ServerTest):
         self.assertEqual(server.ask("POST", "/v1/closures", {"valve": "human-normal"}).status, 200)
         small = {"files": [self.long_import()["annulus"]]}
         self.assertEqual(server.ask("POST", "/v1/imports:preview", small).status, 200)
+
+    def test_files_that_grow_are_refused_within_64_mib_and_a_second_of_a_core(self):
+        for name, request in {
+            **{f"map of {side}": checkerboard(side) for side in (128, 160, 230, 256)},
+            "vtp": repeated_arrays(200, 7),
+        }.items():
+            replies, mib, seconds = [], 0.0, 0.0
+            asking = lambda: replies.append(self.server.ask("POST", "/v1/valves:import", request))  # noqa: B023, E731
+            client = threading.Thread(target=asking)
+            client.start()
+            while client.is_alive():
+                for reader in readers_of(self.server):
+                    mib, seconds = max(mib, peak_mib(reader)), max(seconds, processor_s(reader))
+                time.sleep(0.002)
+            self.assertEqual(replies[0].status, 422, name)
+            self.assertLess(mib, 64, name)
+            self.assertLess(seconds, 1.0, name)
+            if name != "vtp":
+                self.assertGreater(mib, 0, "it was seen")
 
     def test_the_core_is_free_within_a_second_after_the_client_has_gone(self):
         """In processor time, which does not depend on what else the machine does."""
