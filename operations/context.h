@@ -19,8 +19,10 @@ struct SearchOptions;
 struct SearchResult;
 struct ShapeFileOptions;
 
-/// Of one request. Nothing is limited unless whoever asks says so.
+/// Of one request. There are no usual limits: whoever makes a Context says its own, or by name that there are none.
 struct OperationLimits {
+  static OperationLimits unlimited() { return {}; }
+
   int vertices = std::numeric_limits<int>::max();  ///< of a valve
   int chordae = std::numeric_limits<int>::max();   ///< of a valve
   double vertex_steps =
@@ -29,6 +31,9 @@ struct OperationLimits {
   int closures = std::numeric_limits<
       int>::max();  ///< of plans that are scored, of 650 triangles; fewer of larger valves
   int threads = 0;  ///< 0: all cores. Does not change any answer
+
+ private:
+  OperationLimits() = default;
 };
 
 /// Closures of this valve, by OperationLimits::closures.
@@ -37,10 +42,10 @@ std::ptrdiff_t most_closures(const Valve& valve, const OperationLimits& limits);
 /// Errors: a valve with more vertices or chordae; paths point into the valve.
 Errors check_size(const Valve& valve, const OperationLimits& limits);
 
-/// Closures and openings within the limits, as long as somebody waits. All that an operation computes goes by one of these, so
-/// that none can be written that knows no budget.
+/// Closures and openings within the limits, as long as somebody waits. All that an operation computes goes by one of these, which
+/// cannot be made without limits, so that none can be written that knows no budget.
 struct Context {
-  OperationLimits limits{};
+  OperationLimits limits;
   /// A valve by the name that a request has in its place; empty: valves have no names here.
   std::function<Expected<Valve>(const std::string& name)> valve_named{};
   /// The closed surface in a file (operations/surface_file.h, or a process apart that does the same); empty: no file is read here.

@@ -6,12 +6,14 @@
 namespace coapt {
 
 OperationLimits operation_limits(const ServiceLimits& limits) {
-  return {.vertices = limits.vertices,
-          .chordae = limits.chordae,
-          .vertex_steps = limits.vertex_steps,
-          .seconds = limits.request_seconds,
-          .closures = limits.evaluation_closures,
-          .threads = limits.request_threads};
+  OperationLimits of_operations = OperationLimits::unlimited();
+  of_operations.vertices = limits.vertices;
+  of_operations.chordae = limits.chordae;
+  of_operations.vertex_steps = limits.vertex_steps;
+  of_operations.seconds = limits.request_seconds;
+  of_operations.closures = limits.evaluation_closures;
+  of_operations.threads = limits.request_threads;
+  return of_operations;
 }
 
 double closing_seconds(Index vertices, std::ptrdiff_t closures) {

@@ -192,7 +192,7 @@ int run(const CompareArguments& arguments, const std::optional<Service>& service
   if (arguments.contact_mm) request["contact_mm"] = *arguments.contact_mm;
   const bool maps = !arguments.picture.empty() || !arguments.mesh.empty();
   if (maps) request["nodes"] = true;
-  Context here{.surface_of = read_surface_file};
+  Context here{.limits = OperationLimits::unlimited(), .surface_of = read_surface_file};
   here.valve_named = [&](const std::string& name) -> Expected<Valve> { return valves.at(name); };
   Expected<Json> found = ask_document(service, "compare", request, here);
   if (!found) return report_refusal("compare", found.errors(), sources);

@@ -86,7 +86,8 @@ int run_request(const OperationArguments& arguments, const std::optional<Service
   if (!text) return report_errors(arguments.request, text.errors());
   const Expected<Json> request = parse_json(*text);
   if (!request) return report_errors(arguments.request, request.errors());
-  Context here{.valve_named = read_any_valve_argument,
+  Context here{.limits = OperationLimits::unlimited(),
+               .valve_named = read_any_valve_argument,
                .surface_of = read_surface_file,
                .interrupted = &catch_interrupts()};
   const auto answer = ask(service, arguments.name.c_str(), *request, here);

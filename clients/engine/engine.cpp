@@ -17,6 +17,7 @@ EngineAnswer computed(const Operation& operation, std::string_view body) {
   if (!request) return problem(400, request.errors());
   Points closed_mm;
   Context context{
+      .limits = OperationLimits::unlimited(),  // a page waits for its own engine alone
       .closed = [&](const ClosedValve& closed) { closed_mm = closed.closure.closed_mm; }};
   if (further.searches) context.searches = further.searches;
   const Expected<OperationTask> task = operation.read(*request, context);

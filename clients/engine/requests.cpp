@@ -23,7 +23,9 @@ std::optional<EngineAnswer> read_request(std::string_view body, RepairRequest& a
                                          std::vector<JsonField> more) {
   const Expected<Json> json = parse_json(body);
   if (!json) return problem(400, json.errors());
-  if (const Errors errors = read_repair(*json, Context(), std::move(more), asked); !errors.empty())
+  if (const Errors errors = read_repair(*json, Context{.limits = OperationLimits::unlimited()},
+                                        std::move(more), asked);
+      !errors.empty())
     return problem(422, errors);
   return std::nullopt;
 }

@@ -47,7 +47,7 @@ LocalValve with_material(const LocalValve& valve, std::string_view material) {
 LocalClosure close_locally(const LocalValve& valve, std::string_view request) {
   Json asked = taken(parse_json(request));
   asked["valve"] = "this one";
-  Context context;
+  Context context{.limits = OperationLimits::unlimited()};
   context.valve_named = [&valve](const std::string&) -> Expected<Valve> { return *valve.valve; };
   std::optional<ClosedValve> closed;
   context.closed = [&closed](const ClosedValve& made) { closed = made; };

@@ -111,7 +111,7 @@ py::bytes computed(LocalService& service, const std::string& operation, const st
   Interrupts interrupts;
   double rms_mm = 0.0;
   std::atomic<bool> interrupted = false;
-  Context context;
+  Context context{.limits = OperationLimits::unlimited()};
   context.interrupted = &interrupted;
   context.abandoned = [&] {
     if (interrupts()) interrupted = true;
