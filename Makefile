@@ -184,8 +184,8 @@ bench-server: programs  ## what the service adds to a closure, watching jobs und
 attacks: programs  ## the service under attack, its long form: 20,000 hostile requests, a soak, kills, damaged databases (an hour)
 	@cmake/install_packages.sh test
 	lab/service/crowded.py
-	tests/service/hostile.py --requests 20000 --seconds 1200
-	tests/service/hostile.py --requests 1000 --seconds 480 --growth-files 8
+	tests/service/hostile.py --requests 20000 --seconds 1200 --growth-mib 32
+	tests/service/hostile.py --requests 1000 --seconds 480 --growth-mib 32 --growth-files 8
 	tests/service/kill_nine.py
 	tests/service/damaged_databases.py
 
