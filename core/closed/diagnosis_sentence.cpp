@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/metrics/estimate_text.h"
 #include "core/repair/limits.h"
-#include "core/valve/known_decimals.h"
 #include "core/valve/number_text.h"
 
 namespace coapt {
@@ -112,17 +112,10 @@ std::string reason(const Diagnosis& diagnosis, CarpentierType type) {
 /// By the widest part of its error.
 std::string leak_of(const Diagnosis& diagnosis, const Estimate& leak) {
   const std::optional<ErrorCause> cause = widest(leak);
-  const auto around = [&](double value, double error, int decimals) {
-    return with_decimals(value, decimals) + " ± " + with_decimals(error, decimals) + " mm²";
-  };
-  if (!cause)
-    return around(diagnosis.leak_mm2, diagnosis.leak_error_mm2, diagnosis.leak_mm2 < 10.0 ? 1 : 0);
-  const Interval wide = *part_of(leak, *cause);
-  const int decimals = known_decimals(half_width(leak));
-  if (*cause == ErrorCause::Numerical && wide.low <= leak.value && leak.value <= wide.high)
-    return around(leak.value, wide.high - leak.value, known_decimals(wide.high - leak.value));
-  return with_decimals(leak.value, decimals) + " mm² (" + with_decimals(wide.low, decimals) +
-         " to " + with_decimals(wide.high, decimals) + " mm² with " + to_string(*cause) + " error)";
+  if (!cause) return with_error(diagnosis.leak_mm2, diagnosis.leak_error_mm2, "mm²");
+  const EstimateWords words = words_of(leak);
+  if (words.interval.empty()) return words.value + " mm²";
+  return words.value + " mm² (" + words.interval + " mm² with " + to_string(*cause) + " error)";
 }
 
 }  // namespace
