@@ -47,14 +47,18 @@ struct LabelAt {
 inline constexpr Index kMostVoxels = Index{1} << 27;
 /// Of what a service is sent: 128 MiB in memory, a CT of 512 x 512 x 256.
 inline constexpr Index kMostVoxelsSent = Index{1} << 26;
+/// Bytes of a file of a map, unpacked: so many voxels of the widest type behind the longest header (NIfTI's, with extensions).
+constexpr std::size_t most_map_bytes(Index most_voxels) {
+  return static_cast<std::size_t>(most_voxels) * 8 + (std::size_t{16} << 20);
+}
 
 /// Of one file.
 inline constexpr int kMostPhases = 1000;
 
-/// Whether a format_of() file name extension ("nrrd", "nhdr", "nii", "gz", "mha", "mhd") may be one of these.
+/// Whether a format_of() file name extension ("nrrd", "nhdr", "nii", "gz", "bz2", "mha", "mhd") may be one of these.
 bool is_label_map_format(std::string_view format);
 
-/// Any of them, by its first bytes. @param phase from 1; 0: the first that has labels. Errors at "/phase": there are not so many.
+/// Any of them, by its first bytes; compressed as a whole by gzip or bzip2, too. @param phase from 1; 0: the first that has labels. Errors at "/phase": there are not so many.
 Expected<LabelMap> read_label_map(std::string_view bytes, Index most_voxels = kMostVoxels,
                                   int phase = 0);
 

@@ -235,8 +235,7 @@ void check_numbers(const HeaderFields& header, ProblemList& problems) {
 }  // namespace
 
 Expected<LabelMap> read_nifti(std::string_view bytes, Index most_voxels, int phase) {
-  const bool gzip = bytes.starts_with("\x1f\x8b");
-  ByteStream stream(bytes, gzip ? Packing::Zlib : Packing::None);
+  ByteStream stream(bytes, packing_of(bytes));
   std::array<char, kHeader2> head{};
   const Error none = {ErrorCode::Unsupported, "", "is not a NIfTI file, or is truncated"};
   if (!stream.read(head.data(), kHeader1)) return none;

@@ -79,13 +79,15 @@ ByteStream::ByteStream(std::string_view bytes, Packing packing) : bytes_(bytes) 
   }
 }
 
-bool ByteStream::read(char* into, std::size_t size) {
+bool ByteStream::read(char* into, std::size_t size) { return fill(into, size) == size; }
+
+std::size_t ByteStream::fill(char* into, std::size_t size) {
   if (inflater_) return inflate_into(into, size);
   if (decompressor_) return decompress_into(into, size);
-  if (bytes_.size() < size) return false;
+  size = std::min(size, bytes_.size());
   std::memcpy(into, bytes_.data(), size);
   bytes_.remove_prefix(size);
-  return true;
+  return size;
 }
 
 bool ByteStream::skip(std::uint64_t size) {
@@ -98,7 +100,7 @@ bool ByteStream::skip(std::uint64_t size) {
   return true;
 }
 
-bool ByteStream::inflate_into(char* into, std::size_t size) {
+std::size_t ByteStream::inflate_into(char* into, std::size_t size) {
   z_stream& stream = *inflater_;
   stream.next_out = reinterpret_cast<Bytef*>(into);
   stream.avail_out = static_cast<uInt>(size);
@@ -111,16 +113,16 @@ bool ByteStream::inflate_into(char* into, std::size_t size) {
     const std::size_t used = given - stream.avail_in;
     bytes_.remove_prefix(used);
     if (state == Z_STREAM_END) {  // another member may follow (RFC 1952, 2.2)
-      if (stream.avail_out > 0 && bytes_.empty()) return false;
-      if (inflateReset(&stream) != Z_OK) return false;
+      if (stream.avail_out > 0 && bytes_.empty()) break;
+      if (inflateReset(&stream) != Z_OK) break;
     } else if (state != Z_OK || (used == 0 && stream.avail_out == before)) {
-      return false;
+      break;
     }
   }
-  return true;
+  return size - stream.avail_out;
 }
 
-bool ByteStream::decompress_into(char* into, std::size_t size) {
+std::size_t ByteStream::decompress_into(char* into, std::size_t size) {
   bz_stream& stream = decompressor_->state;
   stream.next_out = into;
   stream.avail_out = static_cast<unsigned>(size);
@@ -133,18 +135,38 @@ bool ByteStream::decompress_into(char* into, std::size_t size) {
     const std::size_t used = given - stream.avail_in;
     bytes_.remove_prefix(used);
     if (state == BZ_STREAM_END) {  // another one may follow, of pbzip2
-      if (stream.avail_out > 0 && bytes_.empty()) return false;
+      if (stream.avail_out > 0 && bytes_.empty()) break;
       char* const next = stream.next_out;
       const unsigned left = stream.avail_out;
       BZ2_bzDecompressEnd(&stream);
       stream = {};
-      if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return false;
+      if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return size - left;
       stream.next_out = next;
       stream.avail_out = left;
-    } else if (state != BZ_OK || (used == 0 && stream.avail_out == before))
-      return false;
+    } else if (state != BZ_OK || (used == 0 && stream.avail_out == before)) {
+      break;
+    }
   }
-  return true;
+  return size - stream.avail_out;
+}
+
+Packing packing_of(std::string_view file) {
+  if (file.starts_with("\x1f\x8b")) return Packing::Zlib;
+  return file.starts_with("BZh") ? Packing::Bzip2 : Packing::None;
+}
+
+Expected<std::string> unpack(std::string_view file, Packing packing, std::size_t most_bytes) {
+  ByteStream stream(file, packing);
+  std::string bytes;
+  std::array<char, kBlock> block;
+  while (const std::size_t count = stream.fill(block.data(), kBlock)) {
+    bytes.append(block.data(), count);
+    if (bytes.size() > most_bytes)
+      return Error{
+          ErrorCode::OutOfRange, "",
+          "unpacks to more than the " + std::to_string(most_bytes >> 20) + " MiB accepted"};
+  }
+  return bytes;
 }
 
 std::size_t bytes_of(VoxelType type) {

@@ -19,6 +19,9 @@ struct Bzip2Stream;  // of its library, which names no struct
 
 enum class Packing { None, Zlib, Bzip2 };  ///< Zlib: gzip, too
 
+/// Of a whole file (.nii.gz, .nrrd.bz2), by its first bytes: gzip or bzip2.
+Packing packing_of(std::string_view file);
+
 /// Bytes as they stand, or unpacked.
 class ByteStream {
  public:
@@ -26,11 +29,13 @@ class ByteStream {
 
   /// Fills `size` bytes. False: there are not as many, or they are damaged.
   bool read(char* into, std::size_t size);
+  /// Fills as many as there are, up to `size`.
+  std::size_t fill(char* into, std::size_t size);
   bool skip(std::uint64_t size);
 
  private:
-  bool inflate_into(char* into, std::size_t size);
-  bool decompress_into(char* into, std::size_t size);
+  std::size_t inflate_into(char* into, std::size_t size);
+  std::size_t decompress_into(char* into, std::size_t size);
 
   struct Ender {
     void operator()(z_stream_s* stream) const;
@@ -42,6 +47,9 @@ class ByteStream {
 };
 
 enum class VoxelType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };
+
+/// All of such a file, or what stands before its damage. Errors: more than `most_bytes`.
+Expected<std::string> unpack(std::string_view file, Packing packing, std::size_t most_bytes);
 
 struct VoxelLayout {
   VoxelType type = VoxelType::Uint8;

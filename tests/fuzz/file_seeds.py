@@ -3,6 +3,7 @@
 behind the byte that chooses its reader, and small ones of kinds that these are not."""
 
 import bz2
+import gzip
 import sys
 from pathlib import Path
 
@@ -26,6 +27,8 @@ OTHERS = {
     "image/header.mhd": bytes([24]) + META.replace(b"LOCAL", b"x.raw"),
     "image/header.nhdr": bytes([1]) + b"NRRD0004\nsizes: 1 1 1\ndata file: x.raw\nencoding: raw\n",
     "image/packed.nrrd": bytes([1]) + SPACED + b"encoding: bzip2\n\n" + bz2.compress(b"\0\1\2\3"),
+    "image/whole.nrrd.bz2": bytes([9]) + bz2.compress(SPACED + b"encoding: raw\n\n\0\1\2\3"),
+    "image/whole.mha.gz": bytes([9]) + gzip.compress(META, mtime=0),
     "forms/form": FORM,
     "mesh/lines.vtp": bytes([14]) + LINES,
     "mesh/blocks.vtm": bytes([10]) + BLOCKS,

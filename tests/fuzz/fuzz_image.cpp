@@ -1,4 +1,5 @@
-// Label maps: the first byte chooses the reader, the phase and whether labels are made into surfaces and lines, too.
+// Label maps: the first byte chooses the reader, the phase and whether labels are made into surfaces and lines, too; bits 1 and 8 together
+// are for files of any kind, which may be compressed as a whole.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -19,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     if (const auto again = data_file_of(whole); again && *again) std::abort();
   }
   const int phase = bytes[0] >> 4;
-  const Expected<LabelMap> map = (bytes[0] & 8) != 0   ? read_metaimage(text, kMost, phase)
+  const Expected<LabelMap> map = (bytes[0] & 9) == 9   ? read_label_map(text, kMost, phase)
+                                 : (bytes[0] & 8) != 0 ? read_metaimage(text, kMost, phase)
                                  : (bytes[0] & 1) != 0 ? read_nrrd(text, kMost, phase)
                                                        : read_nifti(text, kMost, phase);
   if (!map) return 0;

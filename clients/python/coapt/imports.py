@@ -11,7 +11,7 @@ from typing import Any
 from .errors import NoSuchFile
 from .geometry import packed_geometry
 
-_BINARY = (".ply", ".stl", ".glb", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".mha")  # may be
+_BINARY = (".ply", ".stl", ".glb", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".bz2", ".mha")  # may be
 _OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
 
 

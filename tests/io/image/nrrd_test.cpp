@@ -96,6 +96,19 @@ TEST(Nrrd, Bzip2InOneStreamOrSeveralCutShortAnywhere) {
   }
 }
 
+TEST(Nrrd, AFileThatIsCompressedAsAWholeIsReadAsItself) {
+  const std::string plain = kHead + "encoding: raw\n\n" + std::string("\0\1\2\3", 4);
+  const std::string packed = bzipped(plain);
+  const Expected<LabelMap> map = read_label_map(packed);
+  ASSERT_TRUE(map) << map.errors()[0].message;
+  EXPECT_EQ(map->voxels, (std::vector<std::uint16_t>{0, 1, 2, 3}));
+  EXPECT_FALSE(read_label_map(packed.substr(0, packed.size() / 2)));
+  EXPECT_FALSE(read_label_map(bzipped("no map at all")));
+  const auto bomb = read_label_map(bzipped(kHead + std::string(std::size_t{17} << 20, '\7')), 4);
+  ASSERT_FALSE(bomb);
+  EXPECT_NE(bomb.errors()[0].message.find("16 MiB"), std::string::npos);
+}
+
 TEST(Nrrd, WhatIsWrongIsNamed) {
   const std::string good = kHead + "encoding: ascii\n\n0 1 2 3";
   EXPECT_EQ(error_of("P6").code, ErrorCode::Unsupported);

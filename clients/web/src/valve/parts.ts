@@ -18,7 +18,7 @@ export type Role = (typeof ROLES)[number][0]
 
 const MESHES = ['obj', 'ply', 'stl', 'glb', 'gltf', 'vtk', 'vtp', 'vtu']
 const HEADERS = ['nhdr', 'mhd'] // of label maps whose voxels are in a file of their own
-const LABEL_MAPS = ['nrrd', 'nii', 'gz', 'mha', ...HEADERS]
+const LABEL_MAPS = ['nrrd', 'nii', 'gz', 'bz2', 'mha', ...HEADERS] // gz and bz2: of any of them
 const VOXELS = ['raw', 'zraw', 'gz', 'bz2']
 const BINARY = ['ply', 'stl', 'glb', 'vtk', 'vtp', 'vtu', ...LABEL_MAPS, ...VOXELS] // may be
 
