@@ -8,14 +8,19 @@
 namespace coapt {
 namespace {
 
-/// Numbers that other programs and public sets give the leaflets.
+/// Numbers that other programs and public sets give the leaflets. Sets of whole hearts (MM-WHS, TotalSegmentator) and of chambers
+/// in echo (CAMUS, MITEA) have no labels of leaflets; SlicerHeart's terminology names them and numbers none.
 struct Convention {
   int anterior, posterior;
   const char* name;
 };
 constexpr std::array kConventions = {
+    // Annulus 3, and 4 for that of the aortic valve, in github.com/velluma/mvseg, README.
     Convention{kUsualAnterior, 2, "the numbering of coapt and most tools"},
+    // No annulus. Carnahan et al. 2023, synapse.org, syn51186045; github.com/openmedlab/Awesome-Medical-Dataset, MVSeg-3DTEE.md.
     Convention{2, 1, "the numbering of the public data set MVSeg2023"},
+    // Annulus 1. Munafo et al. 2023 (IEEE Access, arXiv 2302.10634); github.com/rmuna96/mvtool, src/metricsfromnifti.py.
+    Convention{2, 3, "the numbering of mv3Dseg and mvtool (Politecnico di Milano)"},
 };
 
 }  // namespace
