@@ -8,6 +8,15 @@
 #include "io/mesh/vtu.h"
 
 namespace coapt {
+namespace {
+
+template <class Arrays>
+void add_names(const Arrays& arrays, LeftOver& left) {
+  for (const auto& array : arrays) left.names.push_back(array.name);
+  left.of = left.names.size();
+}
+
+}  // namespace
 
 TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
   TriangleMesh all;
@@ -25,19 +34,28 @@ TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format,
                                  std::size_t most_unpacked) {
   if (format == "obj") return read_obj(bytes);
-  if (format == "ply") return read_ply(bytes);
+  if (format == "ply") {
+    Expected<PlyFile> file = read_ply_file(bytes);
+    if (!file) return file.errors();
+    add_names(file->face_numbers, file->mesh.arrays);
+    return std::move(file->mesh);
+  }
   if (format == "stl") return read_stl(bytes);
   if (format == "vtk") {
     Expected<VtkPolyData> data = read_vtk(bytes);
     if (!data) return data.errors();
     if (data->faces.rows() == 0)
       return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
-    return TriangleMesh{std::move(data->points_mm), std::move(data->faces), {}};
+    TriangleMesh mesh{std::move(data->points_mm), std::move(data->faces), {}};
+    add_names(data->face_data, mesh.arrays);
+    return mesh;
   }
   if (format == "vtp" || format == "vtu") {
     Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes, no_array, most_unpacked)
                                              : read_vtu(bytes, no_array, most_unpacked);
     if (!grid) return grid.errors();
+    add_names(grid->cell_data, grid->mesh.arrays);
+    add_names(grid->point_data, grid->mesh.arrays);
     return std::move(grid->mesh);
   }
   if (is_gltf_format(format)) {

@@ -10,13 +10,20 @@
 
 namespace coapt {
 
+/// What a file has and no reader uses: columns of a table, arrays of a mesh.
+struct LeftOver {
+  std::vector<std::string> names{};  ///< as in the file: may be a person's
+  std::size_t of = 0;                ///< columns or arrays in all
+};
+
 struct TriangleMesh {
   Points vertices_mm;           ///< n x 3
   Faces faces;                  ///< m x 3
   std::vector<int> polygons{};  ///< m: which polygon or cell of the file each is of, from 0
+  LeftOver arrays{};            ///< of its points, polygons or cells
 };
 
-/// One after the other; `polygons` are left out.
+/// One after the other; `polygons` and `arrays` are left out.
 TriangleMesh joined(const std::vector<TriangleMesh>& meshes);
 
 /// What the arrays of a .vtp or .vtu may unpack to, all together: of files of one's own, a mesh of a million triangles, twice what

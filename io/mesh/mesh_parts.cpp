@@ -8,6 +8,7 @@
 #include "core/valve/number_text.h"
 #include "io/mesh/gltf.h"
 #include "io/mesh/obj.h"
+#include "io/mesh/ply.h"
 #include "io/mesh/sheet_repair.h"
 #include "io/mesh/stl.h"
 #include "io/mesh/vtk.h"
@@ -19,9 +20,9 @@ namespace {
 constexpr std::size_t kMostParts = 100;
 
 /// Arrays of cells that number parts, in any case; the first that is there and has more than one number.
-constexpr std::array<std::string_view, 9> kPartArrays = {"leaflet", "leaflets",     "label",
-                                                         "labels",  "region",       "regionid",
-                                                         "part",    "element_sets", "segment"};
+constexpr std::array<std::string_view, 12> kPartArrays = {
+    "leaflet", "leaflets",     "label",   "labels", "region",         "regionid",
+    "part",    "element_sets", "segment", "group",  "material_index", "material"};
 
 using Segments = std::vector<std::array<int, 2>>;
 
@@ -161,7 +162,9 @@ struct FaceNumbers {
   std::vector<double> of_face;
 };
 
-MeshParts array_parts(TriangleMesh mesh, const std::vector<FaceNumbers>& arrays) {
+/// @param arrays that have a number for each face
+MeshParts parts_by_number(TriangleMesh mesh, const std::vector<FaceNumbers>& arrays,
+                          const char* told_apart_by, std::string& used) {
   for (const std::string_view known : kPartArrays)
     for (const FaceNumbers& array : arrays) {
       if (lower(array.name) != known) continue;
@@ -177,11 +180,39 @@ MeshParts array_parts(TriangleMesh mesh, const std::vector<FaceNumbers>& arrays)
         names[of_face.back()] = "number " + significant(value, 3);
       }
       MeshParts parts;
-      parts.told_apart_by = "an array of the cells";
+      parts.told_apart_by = told_apart_by;
+      used = array.name;
       add_parts(mesh, of_face, parts, names, {});
       return parts;
     }
   return in_large_pieces(std::move(mesh));
+}
+
+/// @param others of points, or of several numbers a face
+MeshParts array_parts(TriangleMesh mesh, const std::vector<FaceNumbers>& arrays,
+                      std::vector<std::string> others = {},
+                      const char* told_apart_by = "an array of the cells") {
+  std::string used;
+  MeshParts parts = parts_by_number(std::move(mesh), arrays, told_apart_by, used);
+  parts.arrays.of = arrays.size() + others.size();
+  for (const FaceNumbers& array : arrays)
+    if (array.name != used) parts.arrays.names.push_back(array.name);
+  parts.arrays.names.insert(parts.arrays.names.end(), others.begin(), others.end());
+  return parts;
+}
+
+MeshParts ply_parts(PlyFile file) {
+  std::vector<FaceNumbers> arrays;
+  const auto& polygons = file.mesh.polygons;
+  const int last = polygons.empty() ? -1 : *std::max_element(polygons.begin(), polygons.end());
+  for (PlyNumbers& numbers : file.face_numbers) {
+    if (std::ssize(numbers.of_polygon) <= last) continue;
+    FaceNumbers& array = arrays.emplace_back();
+    array.name = std::move(numbers.name);
+    for (const int polygon : polygons)
+      array.of_face.push_back(numbers.of_polygon[static_cast<std::size_t>(polygon)]);
+  }
+  return array_parts(std::move(file.mesh), arrays, {}, "a property of the faces");
 }
 
 MeshParts vtk_parts(VtkPolyData data) {
@@ -205,14 +236,19 @@ bool numbers_parts(std::string_view array) {
 
 MeshParts grid_parts(VtuGrid grid) {
   std::vector<FaceNumbers> arrays;
+  std::vector<std::string> others;
+  for (const VtuArray& array : grid.point_data) others.push_back(array.name);
   for (const VtuArray& array : grid.cell_data) {
-    if (array.components != 1 || !numbers_parts(array.name)) continue;
+    if (array.components != 1 || !numbers_parts(array.name)) {
+      others.push_back(array.name);
+      continue;
+    }
     FaceNumbers& numbers = arrays.emplace_back();
     numbers.name = array.name;
     for (const int cell : grid.mesh.polygons)
       numbers.of_face.push_back(array.values[static_cast<std::size_t>(cell)]);
   }
-  return array_parts(std::move(grid.mesh), arrays);
+  return array_parts(std::move(grid.mesh), arrays, std::move(others));
 }
 
 }  // namespace
@@ -226,6 +262,7 @@ Expected<MeshParts> read_mesh_parts(std::string_view bytes, std::string_view for
   if (format == "obj") return parts_of(read_obj_file(bytes), grouped_parts);
   if (is_gltf_format(format)) return parts_of(read_gltf(bytes), grouped_parts);
   if (format == "stl") return parts_of(read_stl_file(bytes), stl_parts);
+  if (format == "ply") return parts_of(read_ply_file(bytes), ply_parts);
   if (format == "vtk") return parts_of(read_vtk(bytes), vtk_parts);
   if (format == "vtp") {
     Expected<MeshParts> parts = parts_of(read_vtp(bytes, numbers_parts, most_unpacked), grid_parts);

@@ -1,5 +1,5 @@
 // The parts that one file of meshes holds: objects, groups or materials of OBJ, solids of STL, what an array of the cells numbers
-// in VTK's formats, else pieces that do not hang together.
+// in VTK's formats or a property of the faces in PLY, else pieces that do not hang together.
 #pragma once
 
 #include <string>
@@ -21,6 +21,7 @@ struct MeshParts {
   std::vector<MeshPart> parts;  ///< one at least
   const char* told_apart_by =
       "";  ///< "objects", "solids", "the array leaflet", "pieces that do not hang together"
+  LeftOver arrays = {};  ///< but the one that tells the parts apart
 };
 
 /// @param format as of read_mesh(). Pieces of less than 5 % of the area are of the largest piece.

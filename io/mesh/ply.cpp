@@ -149,14 +149,22 @@ class Values {
   int line_;
 };
 
+bool is_face_number(const Element& element, const Property& property) {
+  return element.name == "face" && !property.count && property.type < Scalar::Float32;
+}
+
 /// Reads one element record; false if the file ends or holds what is no number.
-bool read_record(const Element& element, Values& values, MeshBuilder& mesh) {
+bool read_record(const Element& element, Values& values, MeshBuilder& mesh,
+                 std::vector<PlyNumbers>& face_numbers) {
   Vec3 position = Vec3::Zero();
   std::vector<long long> corners;
+  std::size_t number = 0;
   for (const Property& property : element.properties) {
     if (!property.count) {
       const auto value = values.next(property.type);
       if (!value) return false;
+      if (is_face_number(element, property) && number < face_numbers.size())
+        face_numbers[number++].of_polygon.push_back(*value);
       if (property.name == "x") position.x() = *value;
       if (property.name == "y") position.y() = *value;
       if (property.name == "z") position.z() = *value;
@@ -202,11 +210,16 @@ bool check_header(const Header& header, MeshBuilder& mesh) {
   return false;
 }
 
-void read_body(const Header& header, Values values, MeshBuilder& mesh) {
+void read_body(const Header& header, Values values, MeshBuilder& mesh,
+               std::vector<PlyNumbers>& face_numbers) {
   for (const Element& element : header.elements) {
     if (element.properties.empty()) continue;
+    if (element.name == "face" && face_numbers.empty())
+      for (const Property& property : element.properties)
+        if (is_face_number(element, property))
+          face_numbers.push_back({std::string(property.name), {}});
     for (std::uint64_t i = 0; i < element.count && !mesh.full(); ++i) {
-      if (read_record(element, values, mesh)) continue;
+      if (read_record(element, values, mesh, face_numbers)) continue;
       const std::string path =
           (element.name == "vertex" ? "/vertices_mm/" : "/faces/") + std::to_string(i);
       mesh.add_problem(
@@ -221,8 +234,9 @@ void read_body(const Header& header, Values values, MeshBuilder& mesh) {
 
 }  // namespace
 
-Expected<TriangleMesh> read_ply(std::string_view bytes) {
+Expected<PlyFile> read_ply_file(std::string_view bytes) {
   MeshBuilder mesh;
+  std::vector<PlyNumbers> face_numbers;
   LineScanner lines(bytes);
   const auto first = lines.next();
   if (!first || trimmed(first->text) != "ply") {
@@ -234,9 +248,12 @@ Expected<TriangleMesh> read_ply(std::string_view bytes) {
     if (tokens.empty()) continue;
     if (tokens[0] == "end_header") {
       if (check_header(header, mesh)) {
-        read_body(header, Values(lines.rest(), header.encoding, lines.number() + 1), mesh);
+        read_body(header, Values(lines.rest(), header.encoding, lines.number() + 1), mesh,
+                  face_numbers);
       }
-      return std::move(mesh).take();
+      Expected<TriangleMesh> read = std::move(mesh).take();
+      if (!read) return read.errors();
+      return PlyFile{*std::move(read), std::move(face_numbers)};
     }
     const std::string wrong = read_header_line(tokens, header);
     if (!wrong.empty()) {
@@ -245,6 +262,12 @@ Expected<TriangleMesh> read_ply(std::string_view bytes) {
     }
   }
   return Error{ErrorCode::InputOutput, "", "is truncated: no end_header"};
+}
+
+Expected<TriangleMesh> read_ply(std::string_view bytes) {
+  Expected<PlyFile> file = read_ply_file(bytes);
+  if (!file) return file.errors();
+  return std::move(file->mesh);
 }
 
 }  // namespace coapt

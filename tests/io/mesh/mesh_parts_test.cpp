@@ -63,6 +63,23 @@ TEST(MeshParts, AnArrayOfCellsThatNumbersLeaflets) {
     EXPECT_EQ(parts_of(vtk(cells + other), "vtk").parts.size(), 1U) << other;
 }
 
+TEST(MeshParts, WholeNumbersOfFacesInPlyNumberLeafletsAndTheRestIsLeftOver) {
+  const auto ply = [](const std::string& property) {
+    return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+           "float "
+           "z\nelement face 2\nproperty uchar flags\nproperty list uchar int vertex_indices\n" +
+           property + "\nend_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n9 3 0 1 2 4\n9 3 1 3 2 7\n";
+  };
+  for (const char* name : {"label", "leaflet", "segment", "material_index"}) {
+    const MeshParts parts = parts_of(ply(std::string("property int ") + name), "ply");
+    ASSERT_EQ(parts.parts.size(), 2U) << name;
+    EXPECT_EQ(parts.parts[1].name, "number 7");
+    EXPECT_EQ(parts.arrays.names, (std::vector<std::string>{"flags"}));
+    EXPECT_EQ(parts.arrays.of, 2U);
+  }
+  EXPECT_EQ(parts_of(ply("property float label"), "ply").parts.size(), 1U);
+}
+
 TEST(MeshParts, ALineOfAFileIsALoopOfItsPointsInOrder) {
   const Expected<Points> obj = read_mesh_line(kPoints + "l 3 4\nl 1 2\nl 2 3\nl 4 1\n", "obj");
   ASSERT_TRUE(obj);
