@@ -63,18 +63,6 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
-/// With a DICOM segmentation as the label map that it holds.
-Expected<NamedFile> read_source(const std::string& path) {
-  Expected<std::string> bytes = read_input(path);
-  if (!bytes) return bytes.errors();
-  const std::string name = fs::path(path).filename();
-  if (bytes->size() < 132 || bytes->substr(128, 4) != "DICM")
-    return NamedFile{name, *std::move(bytes)};
-  const Expected<LabelMap> map = read_dicom_segmentation(path);
-  if (!map) return map.errors();
-  return NamedFile{name + ".nrrd", write_nrrd(*map, "")};
-}
-
 /// Folders among the bare files: a DICOM series, or one of SlicerHeart.
 int take_folders(ImportInputs& inputs) {
   for (const std::string& path : inputs.bare) {
@@ -96,7 +84,7 @@ int take_folders(ImportInputs& inputs) {
 int read_file(const std::string& path, const std::string& pointer, std::optional<NamedFile>& file,
               ImportPlaces& places) {
   if (path.empty()) return exit_code::kOk;
-  Expected<NamedFile> read = read_source(path);
+  Expected<NamedFile> read = read_import_file(path, pointer == "/labels");
   if (!read) return report_errors(path, read.errors());
   file = *std::move(read);
   places.emplace_back(pointer, path);
@@ -106,9 +94,10 @@ int read_file(const std::string& path, const std::string& pointer, std::optional
 int read_bare(std::vector<std::string> paths, ImportFiles& files, ImportPlaces& places,
               std::vector<ImportDecision>& decisions) {
   std::vector<NamedFile> read;
+  const std::size_t given = paths.size();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path path = paths[i];
-    Expected<NamedFile> source = read_source(path);
+    Expected<NamedFile> source = read_import_file(path, i >= given);
     if (!source) return report_errors(path, source.errors());
     read.push_back(*std::move(source));
     const Expected<std::vector<std::string>> companions = companions_of(read.back());
@@ -139,7 +128,7 @@ int attach_voxels(const std::string& path, NamedFile& map) {
   if (!companions) return report_errors(path, companions.errors());
   if (companions->empty()) return exit_code::kOk;
   const std::string beside = fs::path(path).parent_path() / companions->front();
-  const Expected<std::string> voxels = read_input(beside);
+  const Expected<std::string> voxels = read_input(beside, most_map_bytes(kMostVoxels));
   if (!voxels) return report_errors(beside, voxels.errors());
   map.bytes = attached(map.bytes, *voxels);
   return exit_code::kOk;
@@ -198,7 +187,27 @@ std::string without_numbers(const Error& error) {
   return text;
 }
 
+/// Whether a file may hold the voxels of a map, by its name.
+bool may_hold_voxels(const std::string& path) {
+  const std::string format = format_of(path);
+  return is_label_map_format(format) || format == "raw" || format == "zraw";
+}
+
 }  // namespace
+
+Expected<NamedFile> read_import_file(const std::string& path, bool is_map) {
+  const std::string name = fs::path(path).filename();
+  if (is_dicom_file(path)) {
+    const Expected<LabelMap> map = read_dicom_segmentation(path);
+    if (!map) return map.errors();
+    return NamedFile{name + ".nrrd", write_nrrd(*map, "")};
+  }
+  Expected<std::string> bytes = is_map || may_hold_voxels(path)
+                                    ? read_input(path, most_map_bytes(kMostVoxels))
+                                    : read_input(path);
+  if (!bytes) return bytes.errors();
+  return NamedFile{name, *std::move(bytes)};
+}
 
 /// With what the pointer says inside the file; chordae and tips are numbered by their lists. What is the same but for its place is said
 /// three times and counted.

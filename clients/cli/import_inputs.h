@@ -27,6 +27,10 @@ struct ReadInputs {
   ImportPlaces places;
 };
 
+/// A file of those, a DICOM segmentation as the label map that it holds. @param is_map whatever its name: as large as maps may be,
+/// where other files may have kMostInputBytes. Errors have no path.
+Expected<NamedFile> read_import_file(const std::string& path, bool is_map = false);
+
 /// @param draws_chordae chordae are to be drawn. Problems are said with the file's own path.
 ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae);
 

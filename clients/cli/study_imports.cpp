@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
+#include "clients/cli/import_inputs.h"
 #include "core/closed/closed_valve.h"
 #include "core/closure/standing.h"
 #include "io/command_line/command_line.h"
@@ -235,13 +236,13 @@ int run(const StudyImportsArguments& arguments) {
       std::string all = closures_revision() + ' ' + std::to_string(arguments.evaluations) + ' ' +
                         std::to_string(arguments.seed);
       for (const std::string& path : subject.paths) {
-        Expected<std::string> bytes = read_input(path);
-        if (!bytes) {
-          unread = bytes.errors();
+        Expected<NamedFile> file = read_import_file(path);
+        if (!file) {
+          unread = file.errors();
           break;
         }
-        files.push_back({fs::path(path).filename(), *std::move(bytes)});
-        all += '\n' + files.back().name + '\n' + files.back().bytes;
+        files.push_back(*std::move(file));
+        all += '\n' + files.back().name + '\n' + fnv1a_128(files.back().bytes);
       }
       const std::string id = fnv1a_128(all);
       if (const auto found = kept.find(id); found != kept.end()) {

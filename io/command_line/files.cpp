@@ -13,18 +13,21 @@
 namespace coapt {
 namespace {
 
-// As much as a JSON document may have (io/json/json_reader.h); a binary mesh of so many has 1.3 million triangles.
-constexpr std::size_t kMaxInputBytes = std::size_t{64} << 20;
+Error larger_than(std::size_t most_bytes) {
+  return {ErrorCode::InputOutput, "", "larger than " + std::to_string(most_bytes >> 20) + " MiB"};
+}
 
-Expected<std::string> read_stream(std::istream& stream) {
+/// @param expected_bytes 0: not known.
+Expected<std::string> read_stream(std::istream& stream, std::size_t most_bytes,
+                                  std::size_t expected_bytes = 0) {
+  if (expected_bytes > most_bytes) return larger_than(most_bytes);
   std::string bytes;
+  bytes.reserve(expected_bytes);
   std::string block(std::size_t{1} << 16, '\0');
   while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) ||
          stream.gcount() > 0) {
     bytes.append(block, 0, static_cast<std::size_t>(stream.gcount()));
-    if (bytes.size() > kMaxInputBytes) {
-      return Error{ErrorCode::InputOutput, "", "larger than 64 MiB"};
-    }
+    if (bytes.size() > most_bytes) return larger_than(most_bytes);
   }
   if (stream.bad()) return Error{ErrorCode::InputOutput, "", "cannot be read"};
   return bytes;
@@ -37,18 +40,20 @@ int report_unwritable(const std::string& path) {
 
 }  // namespace
 
-Expected<std::string> read_input(const std::string& path) {
+Expected<std::string> read_input(const std::string& path, std::size_t most_bytes) {
   if (path == "-") {
     if (std::cin.eof())
       return Error{ErrorCode::InputOutput, "", "standard input can be read only once"};
-    return read_stream(std::cin);
+    return read_stream(std::cin, most_bytes);
   }
-  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) {
     return Error{ErrorCode::InputOutput, "", "is a directory"};
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) return Error{ErrorCode::InputOutput, "", "cannot be opened"};
-  return read_stream(file);
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  return read_stream(file, most_bytes, unknown ? 0 : size);
 }
 
 std::string refuse_standard_output(const std::string& path) {

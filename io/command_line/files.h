@@ -9,9 +9,11 @@
 
 namespace coapt {
 
-/// The bytes of a file, or of standard input if `path` is "-", which can be read once; at most 64
-/// MiB.
-Expected<std::string> read_input(const std::string& path);
+/// As much as a JSON document may have (io/json/parse_json.h); a binary mesh of so many has 1.3 million triangles.
+inline constexpr std::size_t kMostInputBytes = std::size_t{64} << 20;
+
+/// The bytes of a file, or of standard input if `path` is "-", which can be read once.
+Expected<std::string> read_input(const std::string& path, std::size_t most_bytes = kMostInputBytes);
 
 /// A usage error if `path` is "-": for outputs beside a result that standard output carries.
 std::string refuse_standard_output(const std::string& path);

@@ -87,6 +87,22 @@ class LabelMaps(ProgramTest):
             del valve["provenance"]
         self.assertEqual(first, second)
 
+    def test_a_map_larger_than_other_files_may_be_is_read(self):
+        small = hanging_labels(1, 2)
+        head, voxels = small[: small.index(b"\n\n") + 2], gzip.decompress(small[small.index(b"\n\n") + 2 :])
+        slices = 60 + (64 << 20) // 3600
+        head = head.replace(b"60 60 14", b"60 60 %d" % slices).replace(b"encoding: gzip", b"encoding: raw")
+        large = self.folder / "large.nrrd"
+        large.write_bytes(head + voxels.ljust(3600 * slices, b"\0"))
+        (self.folder / "small.nrrd").write_bytes(small)
+        for name in ("small", "large"):
+            self.run_ok("valve", "import", self.folder / f"{name}.nrrd", "-o", self.folder / f"{name}.json")
+        valves = [json.loads((self.folder / f"{name}.json").read_text())["vertices_mm"] for name in ("small", "large")]
+        self.assertEqual(*valves)
+        mesh = self.folder / "large.obj"
+        large.rename(mesh)
+        self.assertIn("larger than 64 MiB", self.refused(mesh))
+
     def test_bare_files_without_chordae_get_drawn_ones(self):
         out = self.folder / "valve.json"
         files = [
