@@ -23,20 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a folder, in the order of their names.
-Expected<std::vector<std::string>> files_of(const std::string& folder) {
-  std::error_code failed;
-  std::vector<std::string> paths;
-  for (auto entry = fs::directory_iterator(folder, failed);
-       !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored)) paths.push_back(entry->path());
-  }
-  if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 /// The files of a folder that a valve can be made of.
 Expected<std::vector<NamedFile>> read_folder(const std::string& folder) {
   const Expected<std::vector<std::string>> paths = files_of(folder);
@@ -63,19 +49,31 @@ bool is_folder(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
-/// Folders among the bare files: a DICOM series, or one of SlicerHeart.
-int take_folders(ImportInputs& inputs) {
+/// Folders among the bare files: a DICOM series, one of SlicerHeart, or files as if they were named one by one.
+int take_folders(ImportInputs& inputs, std::vector<ImportDecision>& decisions) {
+  std::vector<std::string> inside;
   for (const std::string& path : inputs.bare) {
     if (!is_folder(path)) continue;
     const Expected<std::vector<std::string>> files = files_of(path);
     if (!files) return report_errors(path, files.errors());
     const bool dicom = std::any_of(files->begin(), files->end(), is_dicom_file);
+    if (!dicom && !is_slicerheart_folder(*files)) {
+      FolderFiles found = importable(*files);
+      if (found.paths.empty())
+        return refuse(path +
+                      ": has no file that a valve can be made of (label maps, meshes, "
+                      "markups, tables)");
+      inside.insert(inside.end(), found.paths.begin(), found.paths.end());
+      decisions.insert(decisions.end(), found.decisions.begin(), found.decisions.end());
+      continue;
+    }
     std::string& place = dicom ? inputs.series : inputs.slicerheart;
     if (!place.empty())
       return refuse(path + ": is a second folder of the same kind; only one is accepted");
     place = path;
   }
   std::erase_if(inputs.bare, is_folder);
+  inputs.bare.insert(inputs.bare.end(), inside.begin(), inside.end());
   if (!inputs.slicerheart.empty() && !inputs.bare.empty())
     return refuse("a SlicerHeart folder cannot be combined with other files");
   return exit_code::kOk;
@@ -117,7 +115,7 @@ int read_bare(std::vector<std::string> paths, ImportFiles& files, ImportPlaces& 
     return exit_code::kBadInput;
   }
   files = std::move(sorted->files);
-  decisions = std::move(sorted->decisions);
+  decisions.insert(decisions.end(), sorted->decisions.begin(), sorted->decisions.end());
   for (const auto& [pointer, file] : sorted->places) places.emplace_back(pointer, paths[file]);
   return exit_code::kOk;
 }
@@ -195,6 +193,32 @@ bool may_hold_voxels(const std::string& path) {
 
 }  // namespace
 
+Expected<std::vector<std::string>> files_of(const std::string& folder) {
+  std::error_code failed;
+  std::vector<std::string> paths;
+  for (auto entry = fs::directory_iterator(folder, failed);
+       !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
+    std::error_code ignored;
+    const bool hidden = entry->path().filename().string().starts_with('.');
+    if (!hidden && entry->is_regular_file(ignored)) paths.push_back(entry->path());
+  }
+  if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+FolderFiles importable(const std::vector<std::string>& paths) {
+  FolderFiles found;
+  std::copy_if(paths.begin(), paths.end(), std::back_inserter(found.paths), may_have_role);
+  if (const std::size_t others = paths.size() - found.paths.size(); others > 0)
+    found.decisions.push_back(
+        {"files",
+         std::to_string(others) + " of " + std::to_string(paths.size()) +
+             " files of the folder not used",
+         "their names are not those of label maps, meshes, markups or tables"});
+  return found;
+}
+
 Expected<NamedFile> read_import_file(const std::string& path, bool is_map) {
   const std::string name = fs::path(path).filename();
   if (is_dicom_file(path)) {
@@ -254,15 +278,14 @@ ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
   ImportReading reading;
   ImportPlaces places;
   std::vector<ImportDecision> decisions;
-  if ((read.failed = take_folders(inputs))) return read;
+  if ((read.failed = take_folders(inputs, decisions))) return read;
   if (!inputs.slicerheart.empty()) {
     Expected<std::vector<NamedFile>> folder = read_folder(inputs.slicerheart);
     Expected<ImportSource> source =
         folder ? read_slicerheart(*folder) : Expected<ImportSource>(folder.errors());
-    if (source)
-      read.source = *std::move(source);
-    else
-      read.failed = report_errors(inputs.slicerheart, source.errors());
+    if (!source) read.failed = report_errors(inputs.slicerheart, source.errors());
+    if (!source) return read;
+    read.source = *std::move(source);
     return read;
   }
   if (!inputs.bare.empty() && (read.failed = read_bare(inputs.bare, files, places, decisions)))

@@ -10,7 +10,7 @@ namespace coapt {
 
 struct ImportInputs {
   std::vector<std::string>
-      bare;  ///< files whose part is guessed, a SlicerHeart folder, or one of a DICOM series
+      bare;  ///< files whose part is guessed, a folder of such, of SlicerHeart, or of a DICOM series
   std::vector<std::string> leaflets;
   std::string annulus, chordae, tips, labels, slicerheart, series;
   std::vector<std::string> label_numbers;  ///< "anterior=1"
@@ -26,6 +26,16 @@ struct ReadInputs {
   ImportSource source;
   ImportPlaces places;
 };
+
+/// The files of a folder but hidden ones, in the order of their names. Errors have no path.
+Expected<std::vector<std::string>> files_of(const std::string& folder);
+
+/// Of these what may be a part of a valve, by name, and how many are not.
+struct FolderFiles {
+  std::vector<std::string> paths;
+  std::vector<ImportDecision> decisions;
+};
+FolderFiles importable(const std::vector<std::string>& paths);
 
 /// A file of those, a DICOM segmentation as the label map that it holds. @param is_map whatever its name: as large as maps may be,
 /// where other files may have kMostInputBytes. Errors have no path.

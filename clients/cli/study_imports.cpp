@@ -22,6 +22,7 @@
 #include "io/command_line/progress_bar.h"
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/file_roles.h"
+#include "io/exchange/slicerheart.h"
 #include "io/json/parse_json.h"
 #include "io/json/subject.h"
 #include "io/json/valve_json.h"
@@ -57,9 +58,7 @@ Expected<std::vector<Subject>> subjects_in(const std::string& folder) {
     std::error_code ignored;
     Subject subject{entry->path().filename(), {}};
     if (entry->is_directory(ignored)) {
-      for (const auto& file : fs::directory_iterator(entry->path(), ignored))
-        if (file.is_regular_file(ignored)) subject.paths.push_back(file.path());
-      std::sort(subject.paths.begin(), subject.paths.end());
+      if (const auto files = files_of(entry->path())) subject.paths = importable(*files).paths;
     } else if (entry->is_regular_file(ignored) && is_label_map_format(format_of(subject.name))) {
       subject.paths = {entry->path()};
     }
@@ -68,7 +67,7 @@ Expected<std::vector<Subject>> subjects_in(const std::string& folder) {
   if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
   if (subjects.empty())
     return Error{ErrorCode::MissingField, "",
-                 "has no label map (.nrrd, .nii, .nii.gz, .mha) and no folder with files"};
+                 "has no label map (.nrrd, .nii, .mha, .gz, .bz2) and no folder with files"};
   std::sort(subjects.begin(), subjects.end(),
             [](const Subject& a, const Subject& b) { return a.name < b.name; });
   return subjects;
@@ -79,12 +78,19 @@ Json refusal(const Errors& errors) {
           {"reason", errors[0].path + (errors[0].path.empty() ? "" : ": ") + errors[0].message}};
 }
 
-Expected<ImportedValve> imported(std::vector<NamedFile> files, const std::string& name, int seed) {
+Expected<ImportSource> source_of(std::vector<NamedFile> files) {
+  std::vector<std::string> names;
+  for (const NamedFile& file : files) names.push_back(file.name);
+  if (is_slicerheart_folder(names)) return read_slicerheart(files);
   Expected<SortedFiles> sorted = sorted_files(std::move(files));
   if (!sorted) return sorted.errors();
   ImportReading reading;
   reading.most_unpacked = kMostUnpacked;
-  Expected<ImportSource> source = read_import_files(sorted->files, reading);
+  return read_import_files(sorted->files, reading);
+}
+
+Expected<ImportedValve> imported(std::vector<NamedFile> files, const std::string& name, int seed) {
+  Expected<ImportSource> source = source_of(std::move(files));
   if (!source) return source.errors();
   source->name = name;
   ImportOptions options;
@@ -273,9 +279,10 @@ void add_study_imports(Command parent, int& status) {
   Command command = parent.add_command(
       "imports", "Import, close and plan every label map of a folder without manual intervention");
   command
-      .add_option("folder", arguments->folder,
-                  "Folder of label maps (.nrrd, .nii, .nii.gz, .mha), each imported by itself; the "
-                  "files of each subfolder are imported together")
+      .add_option(
+          "folder", arguments->folder,
+          "Folder of label maps (.nrrd, .nii, .mha, .gz, .bz2), each imported by itself; the "
+          "files of each subfolder are imported together")
       .required();
   command
       .add_option("-o,--output", arguments->directory,
@@ -297,7 +304,7 @@ void add_study_imports(Command parent, int& status) {
       "not\nimported again. The outcome of a map is refused, imported, closed (its closure is "
       "reliable) or\nplanned.\n\n"
       "Example:\n"
-      "  coapt study imports MVSeg2023/train/ -o mvseg --pictures");
+      "  coapt study imports labels/ -o mvseg --pictures");
   command.on_run([arguments, &status] { status = run(*arguments); });
 }
 

@@ -26,6 +26,10 @@ bool is_mesh(const std::string& name) {
   return std::find(kMeshFormats.begin(), kMeshFormats.end(), format) != kMeshFormats.end();
 }
 
+bool is_companion_format(const std::string& format) {
+  return format == "vtm" || format == "raw" || format == "zraw" || format == "bin";
+}
+
 GuessedRole role_of_json(const std::string& bytes) {
   if (const Expected<Json> document = parse_json(bytes);
       document && document->is_object() && document->contains("chordae"))
@@ -149,6 +153,12 @@ const char* words_of(FileRole role) {
 
 }  // namespace
 
+bool may_have_role(const std::string& name) {
+  const std::string format = format_of(name);
+  return is_label_map_format(format) || is_table_format(format) || is_mesh(name) ||
+         format == "json" || is_companion_format(format);
+}
+
 std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {
   std::vector<GuessedRole> roles(files.size());
   std::vector<std::size_t> meshes, rings;
@@ -209,10 +219,11 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
       continue;
     }
     if (role == FileRole::None) {
-      problems.add(ErrorCode::Unsupported, path,
-                   "has an unknown role; must be a label map (.nrrd, .nii, .nii.gz, .mha), one or "
-                   "two meshes named anterior and posterior, or markups or a table of annulus, "
-                   "chordae or tips; or use the option for its role (--leaflet, --annulus, ...)");
+      problems.add(
+          ErrorCode::Unsupported, path,
+          "has an unknown role; must be a label map (.nrrd, .nii, .mha, .gz, .bz2), one or "
+          "two meshes named anterior and posterior, or markups or a table of annulus, "
+          "chordae or tips; or use the option for its role (--leaflet, --annulus, ...)");
       continue;
     }
     if (const auto [other, is_first] = first.try_emplace(role, i);

@@ -210,6 +210,17 @@ void take_ties(const Found& found, ImportSource& source, ProblemList& problems) 
 
 }  // namespace
 
+bool is_slicerheart_folder(const std::vector<std::string>& names) {
+  bool vtk = false, markups = false, chordae = false;
+  for (const std::string& name : names) {
+    const bool is_vtk = lower(name).ends_with(".vtk");
+    vtk = vtk || is_vtk;
+    markups = markups || lower(name).ends_with(".mrk.json");
+    chordae = chordae || (is_vtk && has(name, "chord"));
+  }
+  return chordae || (vtk && markups);
+}
+
 Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files) {
   Found found;
   ProblemList problems;

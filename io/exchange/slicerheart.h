@@ -20,6 +20,9 @@
 
 namespace coapt {
 
+/// Whether files of such names are such a folder, or one that lacks a part: .vtk beside .mrk.json, or chordae as .vtk.
+bool is_slicerheart_folder(const std::vector<std::string>& names);
+
 /// For import_valve(). Errors: all problems of all files, the path beginning with the file's name
 /// ("Chords_mesh.vtk/lines/3"); what is missing altogether has the empty path.
 Expected<ImportSource> read_slicerheart(const std::vector<NamedFile>& files);

@@ -87,6 +87,26 @@ class LabelMaps(ProgramTest):
             del valve["provenance"]
         self.assertEqual(first, second)
 
+    def test_a_folder_of_files_is_as_if_they_were_named_one_by_one(self):
+        folder = self.folder / "case"
+        folder.mkdir()
+        for name, given in [("a.obj", "anterior_leaflet_sheet.obj"), ("p.obj", "posterior_leaflet_sheet.obj")]:
+            (folder / name).write_bytes((SHEETS / given).read_bytes())
+        (folder / "ring.csv").write_bytes((SHEETS / "annulus_centerline.csv").read_bytes())
+        one, all_of = self.folder / "one.json", self.folder / "all.json"
+        self.run_ok("valve", "import", *sorted(folder.iterdir()), "-o", one)
+        (folder / "README.md").write_text("whose it is")
+        (folder / ".hidden").write_text("")
+        said = self.run_ok("valve", "import", folder, "-o", all_of).stderr
+        self.assertIn("1 of 4 files of the folder not used", said)
+        without_provenance = [json.loads(path.read_text()) | {"provenance": []} for path in (one, all_of)]
+        self.assertEqual(*without_provenance)
+        study = ("study", "imports", self.folder, "-o", self.folder / "study", "--json")
+        self.assertEqual(json.loads(self.run_ok(*study).stdout)["stages"]["refused"], 0)
+        empty = self.folder / "empty"
+        empty.mkdir()
+        self.assertIn("no file that a valve can be made of", self.refused(empty))
+
     def test_a_map_larger_than_other_files_may_be_is_read(self):
         small = hanging_labels(1, 2)
         head, voxels = small[: small.index(b"\n\n") + 2], gzip.decompress(small[small.index(b"\n\n") + 2 :])

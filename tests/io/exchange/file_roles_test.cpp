@@ -40,6 +40,7 @@ TEST(FileRoles, LabelMapsByTheirExtension) {
   EXPECT_EQ(roles_of({{"x.nrrd", ""}}), (std::vector{FileRole::Labels}));
   EXPECT_EQ(roles_of({{"x.seg.NRRD", ""}}), (std::vector{FileRole::Labels}));
   EXPECT_EQ(roles_of({{"x.nii.gz", ""}}), (std::vector{FileRole::Labels}));
+  EXPECT_EQ(roles_of({{"x.nrrd.bz2", ""}}), (std::vector{FileRole::Labels}));
 }
 
 TEST(FileRoles, MeshesByNameElseInTheOrderGiven) {
@@ -52,6 +53,13 @@ TEST(FileRoles, MeshesByNameElseInTheOrderGiven) {
   EXPECT_EQ(roles_of({{"valve.vtk", ""}}), (std::vector{FileRole::Anterior})) << "a skirt";
   EXPECT_EQ(roles_of({{"1.stl", ""}, {"2.stl", ""}, {"3.stl", ""}}),
             (std::vector{FileRole::None, FileRole::None, FileRole::None}));
+}
+
+TEST(FileRoles, NamesOfFilesThatMayBePartsOfAValve) {
+  for (const char* name : {"a.OBJ", "ring.csv", "x.mrk.json", "x.nii.gz", "m.vtm", "v.raw"})
+    EXPECT_TRUE(may_have_role(name)) << name;
+  for (const char* name : {"README.md", "LICENSE", "shot.png"})
+    EXPECT_FALSE(may_have_role(name)) << name;
 }
 
 TEST(FileRoles, TablesAndMarkupsByWhatTheyHold) {
