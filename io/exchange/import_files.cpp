@@ -90,6 +90,29 @@ Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::s
 
 namespace {
 
+/// Columns or arrays that are not used: said once a file, by name where that is a plain word.
+void tell_left_over(const std::string& part, const char* what, const LeftOver& left,
+                    ImportSource& source) {
+  constexpr std::size_t kMostNamed = 5, kLongest = 20;
+  if (left.names.empty()) return;
+  std::string named;
+  std::size_t count = 0;
+  for (const std::string& name : left.names) {
+    const bool plain =
+        name.size() <= kLongest && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+          return std::isalpha(c) != 0 || c == '_';
+        });
+    if (!plain || count == kMostNamed) continue;
+    named += (count++ == 0 ? ": " : ", ") + name;
+  }
+  if (const std::size_t others = left.names.size() - count; count > 0 && others > 0)
+    named += " and " + std::to_string(others) + " more";
+  source.decisions.push_back({"files",
+                              part + ": " + std::to_string(left.names.size()) + " of " +
+                                  std::to_string(left.of) + ' ' + what + " not used" + named,
+                              "an import has no use for them"});
+}
+
 /// Which files are turned to LPS, and why, one decision for all that are alike.
 class AxesOfFiles {
  public:
@@ -177,6 +200,7 @@ void take_parts(const ImportFiles& files, const ImportReading& reading, AxesOfFi
        problems, parts);
   const bool turned = axes.turned(file, "leaflets");
   if (!parts) return;
+  tell_left_over("leaflets", "arrays", parts->arrays, source);
   std::optional<MeshLeaflets> found;
   take(leaflets_of(*std::move(parts), reading.labels), "/leaflets/0", problems, found);
   if (!found) return;
@@ -203,7 +227,9 @@ void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesO
     TriangleMesh mesh;
     take(read_mesh(file.bytes, format_of(file.name), reading.most_unpacked),
          "/leaflets/" + std::to_string(i), problems, mesh);
-    if (axes.turned(file, "leaflet " + std::to_string(i + 1))) turn_axes(mesh.vertices_mm);
+    const std::string part = "leaflet " + std::to_string(i + 1);
+    if (axes.turned(file, part)) turn_axes(mesh.vertices_mm);
+    tell_left_over(part, "arrays", mesh.arrays, source);
     const std::string name = file.name.substr(file.name.find_last_of("/\\") + 1);
     if (const auto side = side_named(name.substr(0, name.rfind('.')));
         side && mesh.faces.rows() > 0)
@@ -235,6 +261,47 @@ void smooth_few_points(ImportSource& source) {
            significant(100.0 * (1.0 - polygon / ArcLength(*drawn).total_mm()), 2) + " % shorter"});
 }
 
+/// The columns of a table that none of its readers looks at; of Slicer's own tables that is most of them.
+void tell_columns(const NamedFile& file, const std::string& part,
+                  std::initializer_list<std::string_view> used, ImportSource& source) {
+  const std::string format = format_of(file.name);
+  if (is_table_format(format) && format != "fcsv")
+    tell_left_over(part, "columns", unused_columns(file.bytes, used), source);
+}
+
+void take_annulus(const NamedFile& file, AxesOfFiles& axes, ImportSource& source,
+                  ProblemList& problems) {
+  const std::string format = format_of(file.name);
+  take(read_closed_loop(file.bytes, format), "/annulus", problems, source.annulus_mm);
+  if (is_table_format(format)) {
+    smooth_few_points(source);
+    if (const auto unit = stated_unit(file.bytes)) take_annulus_unit(source, *unit);
+  }
+  tell_columns(file, "annulus", {"x"}, source);
+  if (axes.turned(file, "annulus", format == "json")) turn_axes(source.annulus_mm);
+}
+
+/// What else a person saw: chordae and tips.
+void take_others(const ImportFiles& files, AxesOfFiles& axes, ImportSource& source,
+                 ProblemList& problems) {
+  if (files.chordae) {
+    take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
+         source.chordae);
+    tell_columns(*files.chordae, "chordae",
+                 {"id", "papillary", "ins_x", "ins_y", "ins_z", "tip_x", "tip_y", "tip_z", "kind"},
+                 source);
+    if (axes.turned(*files.chordae, "chordae"))
+      for (ImportedChorda& chorda : source.chordae) turn_axes(chorda);
+  }
+  if (files.tips) {
+    const std::string format = format_of(files.tips->name);
+    take(read_tips(files.tips->bytes, format), "/tips", problems, source.tips);
+    tell_columns(*files.tips, "papillary tips", {"papillary", "label", "x"}, source);
+    if (axes.turned(*files.tips, "papillary tips", format == "json"))
+      for (ImportedTip& tip : source.tips) turn_axes(tip.position_mm);
+  }
+}
+
 }  // namespace
 
 Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportReading& reading) {
@@ -251,27 +318,8 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   else if (reading.series)
     problems.add(ErrorCode::MissingField, "/labels",
                  "is missing: --series applies only to a label map");
-  if (files.annulus) {
-    const std::string format = format_of(files.annulus->name);
-    take(read_closed_loop(files.annulus->bytes, format), "/annulus", problems, source.annulus_mm);
-    if (is_table_format(format)) {
-      smooth_few_points(source);
-      if (const auto unit = stated_unit(files.annulus->bytes)) take_annulus_unit(source, *unit);
-    }
-    if (axes.turned(*files.annulus, "annulus", format_of(files.annulus->name) == "json"))
-      turn_axes(source.annulus_mm);
-  }
-  if (files.chordae) {
-    take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
-         source.chordae);
-    if (axes.turned(*files.chordae, "chordae"))
-      for (ImportedChorda& chorda : source.chordae) turn_axes(chorda);
-  }
-  if (files.tips) {
-    take(read_tips(files.tips->bytes, format_of(files.tips->name)), "/tips", problems, source.tips);
-    if (axes.turned(*files.tips, "papillary tips", format_of(files.tips->name) == "json"))
-      for (ImportedTip& tip : source.tips) turn_axes(tip.position_mm);
-  }
+  if (files.annulus) take_annulus(*files.annulus, axes, source, problems);
+  take_others(files, axes, source, problems);
   if (!problems.empty()) return std::move(problems).take();
   const std::vector<ImportDecision> turned = std::move(axes).take();
   source.decisions.insert(source.decisions.end(), turned.begin(), turned.end());

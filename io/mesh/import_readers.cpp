@@ -255,6 +255,21 @@ Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
   return tips;
 }
 
+LeftOver unused_columns(std::string_view table, std::initializer_list<std::string_view> used) {
+  LeftOver unused;
+  const Expected<CsvTable> read = read_csv(table, used);
+  if (!read) return unused;
+  const bool points = std::find(used.begin(), used.end(), "x") != used.end();
+  unused.of = read->names.size();
+  for (const std::string& name : read->names) {
+    const bool axis = points && name.size() == 1 &&
+                      std::string_view("xyzraslp").find(name[0]) != std::string_view::npos;
+    if (!name.empty() && !axis && std::find(used.begin(), used.end(), name) == used.end())
+      unused.names.push_back(name);
+  }
+  return unused;
+}
+
 Expected<std::vector<ImportedChorda>> read_chordae(std::string_view text, std::string_view format) {
   if (is_table_format(format)) return read_chordae_csv(text);
   if (format == "json") return read_chordae_json(text);

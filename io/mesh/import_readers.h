@@ -17,6 +17,9 @@ std::optional<LengthUnit> stated_unit(std::string_view table);
 /// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 
+/// The named columns of a table but those `used` by a reader; x stands for the names of all axes.
+LeftOver unused_columns(std::string_view table, std::initializer_list<std::string_view> used);
+
 /// @param format is_table_format() or "json".
 /// Table: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is
 /// one, kind (marginal, strut, basal), named in a comment or in the first line; other columns are

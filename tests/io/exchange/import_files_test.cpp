@@ -357,6 +357,33 @@ TEST(ImportFiles, TablesOfSlicerSayTheirAxes) {
   }
 }
 
+TEST(ImportFiles, ColumnsThatNothingReadsAreSaidOnceAndByPlainNamesAlone) {
+  ImportFiles files = with_head("# SPACE=LPS\n");
+  files.annulus = {"a.csv", "x,y,z,weight,DOE^JANE\n1,2,3,4,5\n4,5,6,7,8\n"};
+  files.chordae = {"c.csv", "id,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z\n1,AL,1,2,3,4,5,6\n"};
+  const Expected<ImportSource> source = read_import_files(files);
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->decisions[0].value, "annulus: 2 of 5 columns not used: weight and 1 more");
+  EXPECT_EQ(source->decisions[1].subject, "axes");
+}
+
+TEST(ImportFiles, ArraysThatNothingReadsAreSaid) {
+  ImportFiles files;
+  files.leaflets = {
+      {"a.vtk",
+       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n1 2 3 2 2 "
+       "3 1 3 3\nPOLYGONS 1 4\n3 0 1 2\nCELL_DATA 1\nSCALARS strain float 1\n"
+       "LOOKUP_TABLE default\n0.5\n"}};
+  files.leaflets.push_back(files.leaflets[0]);
+  const Expected<ImportSource> two = read_import_files(files);
+  ASSERT_TRUE(two);
+  EXPECT_EQ(two->decisions[0].value, "leaflet 1: 1 of 1 arrays not used: strain");
+  files.leaflets.pop_back();
+  const Expected<ImportSource> one = read_import_files(files);
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->decisions[0].value, "leaflets: 1 of 1 arrays not used: strain");
+}
+
 TEST(ImportFiles, ASeriesPlacesLabelsAndNeedsThem) {
   ImportReading reading;
   reading.series = ImageGeometry{{20, 20, 5}, Eigen::Matrix4d::Identity(), true};
