@@ -144,6 +144,7 @@ int read_named(const ImportInputs& inputs, bool draws_chordae, ImportFiles& file
   for (const auto& [path, pointer, file] : {std::tuple(inputs.annulus, "/annulus", &files.annulus),
                                             {chordae, "/chordae", &files.chordae},
                                             {inputs.tips, "/tips", &files.tips},
+                                            {inputs.landmarks, "/landmarks", &files.landmarks},
                                             {inputs.labels, "/labels", &files.labels}})
     if (const int failed = read_file(path, pointer, *file, places)) return failed;
   return inputs.labels.empty() ? exit_code::kOk : attach_voxels(inputs.labels, *files.labels);
@@ -174,6 +175,21 @@ int read_series(const std::string& folder, std::optional<ImageGeometry>& series)
   Expected<ImageGeometry> read = read_series_geometry(*files);
   if (!read) return report_errors(folder, read.errors());
   series = *std::move(read);
+  return exit_code::kOk;
+}
+
+/// Those of --landmarks to a folder, which has none of its own.
+int add_landmarks(const ImportInputs& inputs, ImportSource& source, ImportPlaces& places) {
+  ImportFiles files;
+  if (const int failed = read_file(inputs.landmarks, "/landmarks", files.landmarks, places))
+    return failed;
+  if (!files.landmarks) return exit_code::kOk;
+  ImportReading reading;
+  reading.axes = inputs.axes;
+  const Expected<ImportSource> read = read_import_files(files, reading);
+  if (!read) return report_import_errors(read.errors(), places);
+  source.landmarks = read->landmarks;
+  source.decisions.insert(source.decisions.end(), read->decisions.begin(), read->decisions.end());
   return exit_code::kOk;
 }
 
@@ -284,7 +300,7 @@ ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
     Expected<ImportSource> source =
         folder ? read_slicerheart(*folder) : Expected<ImportSource>(folder.errors());
     if (!source) read.failed = report_errors(inputs.slicerheart, source.errors());
-    if (!source) return read;
+    if (!source || (read.failed = add_landmarks(inputs, *source, read.places))) return read;
     read.source = *std::move(source);
     return read;
   }

@@ -12,7 +12,7 @@ struct ImportInputs {
   std::vector<std::string>
       bare;  ///< files whose part is guessed, a folder of such, of SlicerHeart, or of a DICOM series
   std::vector<std::string> leaflets;
-  std::string annulus, chordae, tips, labels, slicerheart, series;
+  std::string annulus, chordae, tips, landmarks, labels, slicerheart, series;
   std::vector<std::string> label_numbers;  ///< "anterior=1"
   std::optional<PatientAxes> axes;
   int phase = 0;  ///< of a label map of several, from 1; 0: the first that has labels

@@ -132,7 +132,7 @@ int run(ValveImportArguments& arguments) {
                            arguments.provenance.end());
   Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
   if (!valve) {
-    if (!folder.empty()) return report_errors(folder, valve.errors());
+    if (!folder.empty() && read.places.empty()) return report_errors(folder, valve.errors());
     return report_import_errors(valve.errors(), read.places);
   }
   take_observed(arguments.observed, valve->valve);
@@ -162,8 +162,8 @@ void add_valve_import(Command parent, int& status) {
   ImportInputs& inputs = arguments->inputs;
   command.add_option("files", inputs.bare,
                      "Files whose role is detected from name and content (reported by --json): a "
-                     "label map (.nrrd, .nii, .nii.gz), meshes, markups, tables; a SlicerHeart "
-                     "folder or the folder of a DICOM series");
+                     "label map (.nrrd, .nii, .nii.gz), meshes, markups, tables; or a folder of "
+                     "these, of SlicerHeart or of a DICOM series");
   command
       .add_option("--leaflet", inputs.leaflets,
                   "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, one file "
@@ -220,6 +220,12 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--annulus")
       .excludes("--chordae")
       .excludes("--slicerheart");
+  command
+      .add_option("--landmarks", inputs.landmarks,
+                  "Landmarks placed by a person, at most 10 mm from the annulus; others are "
+                  "detected: points labelled ALC and PMC (commissures), A (saddle peak) and P "
+                  "(mid-posterior), from Slicer (.mrk.json) or as a table label,x,y,z")
+      .excludes("--abaqus");
   command.add_option("-o,--output", arguments->output, "File to write, - for standard output")
       .required();
   command.add_option("--triangles", options.triangles, "Approximate number of triangles")

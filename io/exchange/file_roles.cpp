@@ -43,6 +43,8 @@ GuessedRole role_of_json(const std::string& bytes) {
     for (const std::string& label : markup.labels)
       tips = tips || label.starts_with("AL") || label.starts_with("PM");
   }
+  if (has_commissures(bytes, "json"))
+    return {FileRole::Landmarks, "it has points labelled ALC or PMC"};
   if (tips) return {FileRole::Tips, "it has points labelled AL or PM"};
   return {};
 }
@@ -51,6 +53,8 @@ GuessedRole role_of_table(const std::string& bytes) {
   const Expected<CsvTable> table = read_csv(bytes, {"x", "papillary", "ins_x"});
   if (!table || table->rows.empty()) return {};
   const std::vector<std::string_view>& row = table->rows[0].fields;
+  if (has_commissures(bytes, "csv"))
+    return {FileRole::Landmarks, "its points are labelled ALC or PMC"};
   const bool points = !table->names.empty() && !table->has("papillary") && !table->has("ins_x");
   if (points && table->has("label") && read_tips_csv(bytes))
     return {FileRole::Tips, "its points are labelled AL or PM"};
@@ -145,6 +149,8 @@ const char* words_of(FileRole role) {
       return "chordae";
     case FileRole::Tips:
       return "the papillary tips";
+    case FileRole::Landmarks:
+      return "landmarks of the annulus";
     case FileRole::None:
       break;
   }
@@ -272,6 +278,8 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
   place(FileRole::Annulus, "/annulus", [&](NamedFile file) { parts.annulus = std::move(file); });
   place(FileRole::Chordae, "/chordae", [&](NamedFile file) { parts.chordae = std::move(file); });
   place(FileRole::Tips, "/tips", [&](NamedFile file) { parts.tips = std::move(file); });
+  place(FileRole::Landmarks, "/landmarks",
+        [&](NamedFile file) { parts.landmarks = std::move(file); });
   return sorted;
 }
 

@@ -6,7 +6,7 @@
 
 namespace coapt {
 
-enum class FileRole { Labels, Anterior, Posterior, Annulus, Chordae, Tips, None };
+enum class FileRole { Labels, Anterior, Posterior, Annulus, Chordae, Tips, Landmarks, None };
 
 /// Whether a file with such a name is one that can be a part of a valve, or named by one (.vtm, .raw).
 bool may_have_role(const std::string& name);

@@ -255,6 +255,27 @@ Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
   return tips;
 }
 
+Expected<std::vector<LabelledPoint>> read_labelled_points_csv(std::string_view text) {
+  const Expected<CsvTable> table = read_csv(text, {"label", "name"});
+  if (!table) return table.errors();
+  if (table->rows.empty()) return kEmpty;
+  const Expected<std::vector<std::string>> axes = point_columns(*table, 1);
+  if (!axes) return axes.errors();
+  const std::string label = table->has("name") && !table->has("label") ? "name" : "label";
+  if (!table->names.empty() && !table->has(label))
+    return Error{ErrorCode::MissingField, "", "has no column label"};
+  const auto names = names_or(*table, {label, (*axes)[0], (*axes)[1], (*axes)[2]});
+  ProblemList problems;
+  std::vector<LabelledPoint> points;
+  for (std::size_t i = 0; i < table->rows.size(); ++i)
+    if (const auto row = reader(*table, names, i, "/points", problems))
+      points.push_back({std::string(row->field(label)),
+                        {row->coordinate((*axes)[0]), row->coordinate((*axes)[1]),
+                         row->coordinate((*axes)[2])}});
+  if (!problems.empty()) return std::move(problems).take();
+  return points;
+}
+
 LeftOver unused_columns(std::string_view table, std::initializer_list<std::string_view> used) {
   LeftOver unused;
   const Expected<CsvTable> read = read_csv(table, used);

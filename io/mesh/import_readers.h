@@ -17,6 +17,14 @@ std::optional<LengthUnit> stated_unit(std::string_view table);
 /// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 
+struct LabelledPoint {
+  std::string label;
+  Vec3 position_mm = Vec3::Zero();
+};
+
+/// Columns label (or name), x, y and z; without names the label comes first.
+Expected<std::vector<LabelledPoint>> read_labelled_points_csv(std::string_view text);
+
 /// The named columns of a table but those `used` by a reader; x stands for the names of all axes.
 LeftOver unused_columns(std::string_view table, std::initializer_list<std::string_view> used);
 

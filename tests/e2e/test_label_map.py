@@ -107,6 +107,23 @@ class LabelMaps(ProgramTest):
         empty.mkdir()
         self.assertIn("no file that a valve can be made of", self.refused(empty))
 
+    def test_landmarks_that_a_person_placed_are_taken(self):
+        sheets = [SHEETS / f"{side}_leaflet_sheet.obj" for side in ("anterior", "posterior")]
+        given = [*sheets, SHEETS / "annulus_centerline.csv"]
+        ring = [
+            line for line in (SHEETS / "annulus_centerline.csv").read_text().splitlines() if line[:1] in "-0123456789"
+        ]
+        (self.folder / "seen.csv").write_text("label,x,y,z\nA," + ring[0] + "\n")
+        for option in (["--landmarks"], []):
+            seen = self.folder / "seen.csv"
+            if not option:  # among bare files they need a commissure
+                seen.write_text(seen.read_text() + "ALC," + ring[len(ring) // 3] + "\n")
+            said = self.run_ok("valve", "import", *given, *option, seen, "-o", self.folder / "v.json").stderr
+            self.assertIn("saddle peak", said)
+        far = self.folder / "far.csv"
+        far.write_text("label,x,y,z\nA,900,900,900\n")
+        self.assertIn("far.csv", self.refused(*given, "--landmarks", far))
+
     def test_a_map_larger_than_other_files_may_be_is_read(self):
         small = hanging_labels(1, 2)
         head, voxels = small[: small.index(b"\n\n") + 2], gzip.decompress(small[small.index(b"\n\n") + 2 :])

@@ -55,6 +55,13 @@ TEST(FileRoles, MeshesByNameElseInTheOrderGiven) {
             (std::vector{FileRole::None, FileRole::None, FileRole::None}));
 }
 
+TEST(FileRoles, LandmarksHaveACommissureAmongTheirLabels) {
+  EXPECT_EQ(roles_of({{"l.csv", "label,x,y,z\nALC,1,2,3\nAL,4,5,6\n"}}),
+            (std::vector{FileRole::Landmarks}));
+  EXPECT_EQ(roles_of({{"t.csv", "label,x,y,z\nAL,1,2,3\nPM,4,5,6\n"}}),
+            (std::vector{FileRole::Tips}));
+}
+
 TEST(FileRoles, NamesOfFilesThatMayBePartsOfAValve) {
   for (const char* name : {"a.OBJ", "ring.csv", "x.mrk.json", "x.nii.gz", "m.vtm", "v.raw"})
     EXPECT_TRUE(may_have_role(name)) << name;
