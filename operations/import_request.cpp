@@ -1,6 +1,7 @@
 #include "operations/import_request.h"
 
 #include "core/valve/patient_frame.h"
+#include "core/valve/validate.h"
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/slicerheart.h"
 #include "io/image/detached.h"
@@ -90,6 +91,7 @@ Errors as_import_calls(Errors errors) {
   for (Error& error : errors) {
     for (const std::string given : {"/annulus", "/tips"})
       if (error.path.starts_with(given + "_mm")) error.path.erase(given.size(), 3);
+    if (error.path == "/tissue/thickness_mm") error.path = "/thickness_mm";
     if (error.path.starts_with("/landmarks/") && error.path.ends_with("_mm"))
       error.path.resize(error.path.size() - 3);
   }
@@ -153,6 +155,9 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
           {"branch_at", into(options.branch_at, number_in(0.05, 0.95)), false},
           {"slack", into(options.slack, number_in(0.8, 1.5)), false},
           {"reference", into(options.reference, read_state), false},
+          {"thickness_mm", into(options.thickness_mm, read_number), false},
+          {"thickness_measured", into(options.thickness_measured, read_boolean), false},
+          {"observed", into(asked.observed, read_observed), false},
           {"units", into(options.units, read_unit), false},
           {"trust_labels", into(options.trust_labels, read_boolean), false},
           {"flip", into(options.flip, read_boolean), false},
@@ -177,6 +182,9 @@ Errors check_import(const ImportRequest& asked, const OperationLimits& limits) {
                                     {asked.annulus.has_value(), "/annulus"}})
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
+  if (asked.options.thickness_mm && asked.options.thickness_measured)
+    problems.add(ErrorCode::UnknownField, "/thickness_measured",
+                 "cannot be given together with thickness_mm");
   if (asked.voxels && !asked.labels)
     problems.add(ErrorCode::UnknownField, "/voxels",
                  "requires labels, the header that refers to this voxel file");
@@ -227,7 +235,11 @@ Expected<ImportedValve> make_import(const ImportRequest& asked, const ClosureBud
   ImportOptions options = asked.options;
   options.budget = budget;
   Expected<ImportedValve> done = import_with_decisions(*std::move(source), options);
-  if (done) return done;
+  if (done) {
+    for (const Observation& seen : asked.observed) observe(done->valve.observed, seen);
+    if (Errors errors = validate(done->valve); !errors.empty()) return errors;
+    return done;
+  }
   Errors errors = as_import_calls(done.errors());
   return asked.slicerheart ? below_folder(std::move(errors)) : errors;
 }

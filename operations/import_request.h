@@ -25,6 +25,7 @@ struct ImportRequest {
       voxels;  ///< of labels that are a header alone
   ImportReading reading;
   GivenLandmarks landmarks;
+  std::vector<Observation> observed;
   std::string name = "imported";
   std::vector<std::string> provenance;
   ImportOptions options;

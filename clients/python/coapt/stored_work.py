@@ -67,7 +67,9 @@ class StoredWork(ShortWork):
         :param chordae: CSV or JSON; or a seed, to synthesise chordae from anatomical data
         :param tips: imaged papillary tips for synthesised chordae: CSV of papillary,x,y,z or labelled Slicer points, or a mapping of
             "AL" and "PM" to a point; by default tips are synthesised as well
-        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, units ("mm",
+        :param options: provenance (sentences), triangles, branches, branch_at, slack, reference, thickness_mm (of the tissue),
+            thickness_measured (True: that of thick leaflets), landmarks (a mapping of "saddle_peak", "mid_posterior",
+            "anterolateral_commissure" and "posteromedial_commissure" to a point), observed (of the closed valve), phase, units ("mm",
             "cm", "in" or "m"; left out, they are guessed from the annulus), closed (True or False: the leaflets were imaged
             closed or open; left out, that is guessed), hidden_mm (of closed leaflets, what coaptation hides), label_numbers
             (of a label map or of parts of one file: a mapping of "anterior", "posterior" and "annulus" to a number or several),

@@ -69,6 +69,24 @@ TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
   EXPECT_EQ(refusal(refused).paths.front(), "/slicerheart");
 }
 
+TEST_F(ImportsTest, ThicknessAndObservationsAreOfTheValve) {
+  Json request = cone_request();
+  request["thickness_mm"] = 1.4;
+  request["observed"] = {{"leak_mm2", {{"value", 30.0}, {"sd", 5.0}}}};
+  const Answer answer = post("/v1/valves:import", request);
+  ASSERT_EQ(answer.status, 201) << json_of(answer);
+  const Json valve = json_of(get("/v1/valves/" + json_of(answer)["id"].get<std::string>()));
+  EXPECT_EQ(valve["tissue"]["thickness_mm"], 1.4);
+  EXPECT_EQ(valve["observed"]["leak_mm2"]["value"], 30.0);
+  request["thickness_mm"] = 11.0;
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/thickness_mm"}}));
+  request["thickness_measured"] = true;
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/thickness_measured"}}));
+  request.erase("thickness_mm");
+  EXPECT_EQ(refusal(post("/v1/valves:import", request)), (Refused{422, {"/thickness_measured"}}))
+      << "these are sheets";
+}
+
 TEST_F(ImportsTest, ChordaeThatWereNotSeenAreDrawn) {
   const Answer answer = post("/v1/valves:import", unseen_request());
   ASSERT_EQ(answer.status, 201) << json_of(answer);
