@@ -2,6 +2,8 @@
 BIN := build/release/bin
 VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ_LIMIT := -runs=100000
+# Of a reader, with what the sanitizers add.
+FUZZ_MEMORY := -rss_limit_mb=512
 FUZZ = $(FUZZ_LIMIT) -seed=1 -dict=tests/fuzz/json.dict
 SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp examples/gallery/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
@@ -342,12 +344,12 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each throug
 	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_mesh fuzz_image fuzz_import fuzz_forms fuzz_endpoints fuzz_seeds
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
 	tests/fuzz/file_seeds.py build/fuzz/corpus
-	build/fuzz/bin/fuzz_read_valve $(FUZZ) build/fuzz/corpus/valve
-	build/fuzz/bin/fuzz_read_plan $(FUZZ) build/fuzz/corpus/plan
-	build/fuzz/bin/fuzz_mesh $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/mesh
-	build/fuzz/bin/fuzz_image $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/image
-	build/fuzz/bin/fuzz_import $(FUZZ_LIMIT) -seed=1 -max_len=256
-	build/fuzz/bin/fuzz_forms $(FUZZ_LIMIT) -seed=1 build/fuzz/corpus/forms
+	build/fuzz/bin/fuzz_read_valve $(FUZZ) $(FUZZ_MEMORY) build/fuzz/corpus/valve
+	build/fuzz/bin/fuzz_read_plan $(FUZZ) $(FUZZ_MEMORY) build/fuzz/corpus/plan
+	build/fuzz/bin/fuzz_mesh $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 build/fuzz/corpus/mesh
+	build/fuzz/bin/fuzz_image $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 build/fuzz/corpus/image
+	build/fuzz/bin/fuzz_import $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 -max_len=256
+	build/fuzz/bin/fuzz_forms $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 build/fuzz/corpus/forms
 	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
 
 .PHONY: wheel tarball sbom archives-test container-test reproducible clang arm64 workflow-check
