@@ -1,11 +1,9 @@
 // Files of a segmentation tool become a valve; what is wrong stands beside the file.
 import assert from 'node:assert/strict'
-import { execFileSync } from 'node:child_process'
-import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs'
-import { tmpdir } from 'node:os'
+import { mkdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
-import { accessProblems, ROOT, openBefore, page, service, settled } from './page.mjs'
+import { accessProblems, labelMap, ROOT, openBefore, page, service, settled } from './page.mjs'
 
 const CONTRACT = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json')))
 const { leaflets, annulus, chordae } = CONTRACT.components.examples.one_skirt.value
@@ -121,21 +119,6 @@ async function picture(result, name) {
   mkdirSync(join(ROOT, 'build/pages'), { recursive: true })
   await page.screenshot({ path: join(ROOT, 'build/pages', `${name}.png`) })
   await page.setViewportSize({ width: 1280, height: 800 })
-}
-
-/// As examples/scripts/label_map.py draws it: the real valve, 0.8 mm voxels, labels with these names or without any.
-function labelMap(names = []) {
-  const folder = mkdtempSync(join(tmpdir(), 'coapt-map-'))
-  try {
-    const file = join(folder, 'map.nrrd')
-    const script = join(ROOT, 'examples/scripts/label_map.py')
-    execFileSync('/usr/bin/python3', [script, '--voxel', '0.8', '-o', file], { stdio: 'pipe' })
-    const [head, ...data] = readFileSync(file).toString('latin1').split('\n\n')
-    const keys = names.flatMap((name, i) => [`Segment${i}_Name:=${name}`, `Segment${i}_LabelValue:=${i + 1}`])
-    return Buffer.from([[head, ...keys].join('\n'), ...data].join('\n\n'), 'latin1')
-  } finally {
-    rmSync(folder, { recursive: true })
-  }
 }
 
 test('a label map dropped on the page becomes a valve, and that a search', async () => {

@@ -1,7 +1,7 @@
 // A service of its own and a browser on its page, for the tests of the page. What the browser says against the page
 // (errors, blocked by policy, requests to elsewhere) is collected in `complaints`.
 import assert from 'node:assert/strict'
-import { spawn } from 'node:child_process'
+import { execFileSync, spawn } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -54,6 +54,21 @@ export async function startService(
       child.kill('SIGKILL')
     })
   return { url, folder, stop, kill }
+}
+
+/// As examples/scripts/label_map.py draws it: the real valve, 0.8 mm voxels, labels with these names or without any.
+export function labelMap(names = []) {
+  const folder = mkdtempSync(join(tmpdir(), 'coapt-map-'))
+  try {
+    const file = join(folder, 'map.nrrd')
+    const script = join(ROOT, 'examples/scripts/label_map.py')
+    execFileSync('/usr/bin/python3', [script, '--voxel', '0.8', '-o', file], { stdio: 'pipe' })
+    const [head, ...data] = readFileSync(file).toString('latin1').split('\n\n')
+    const keys = names.flatMap((name, i) => [`Segment${i}_Name:=${name}`, `Segment${i}_LabelValue:=${i + 1}`])
+    return Buffer.from([[head, ...keys].join('\n'), ...data].join('\n\n'), 'latin1')
+  } finally {
+    rmSync(folder, { recursive: true })
+  }
 }
 
 export function startBrowser() {

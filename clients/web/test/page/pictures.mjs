@@ -1,20 +1,22 @@
-// Pictures of each view for docs/images: `node pictures.mjs FOLDER`. page.json beside them says of which version they are. report.png is
+// Pictures of each view for docs/images: `node pictures.mjs FOLDER [NAME...]`, all or those. page.json beside them says of which version they are. report.png is
 // the first page of out/report.html, where make demo has written it.
 import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { openView, PATIENCE_MS, ROOT, startBrowser, startService } from './page.mjs'
+import { labelMap, openView, PATIENCE_MS, ROOT, startBrowser, startService } from './page.mjs'
 
-const folder = process.argv[2] ?? '.'
+const [folder = '.', ...names] = process.argv.slice(2)
 const service = await startService()
 const browser = await startBrowser()
 const pictures = []
 
+/// Of the page, or of the element that `prepare` returns.
 async function picture(name, view, options, prepare) {
+  if (names.length > 0 && !names.includes(name)) return
   const { page } = await openView(browser, service.url, view, options)
   await page.locator('[data-part=open-valve]', { hasText: 'human-functional-mr' }).waitFor()
-  await prepare(page)
+  const element = await prepare(page)
   await page.waitForTimeout(1500)
-  await page.screenshot({ path: join(folder, `page-${name}.png`) })
+  await (element ?? page).screenshot({ path: join(folder, `page-${name}.png`) })
   await page.close()
   pictures.push(`page-${name}.png`)
   console.log(name)
@@ -89,16 +91,55 @@ await picture('import', 'valve', {}, async (page) => {
   await panel.evaluate((element) => element.scrollIntoView())
 })
 
+async function importWrongLabels(page) {
+  await page.getByText('Import meshes').click()
+  const panel = page.locator('[data-part=import]')
+  const labels = labelMap(['Posterior leaflet', 'Anterior leaflet'])
+  await panel.getByLabel('Files').setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labels })
+  await panel.getByLabel('What label 1 is').waitFor()
+  await panel.getByLabel('Name').fill('labels in the wrong order')
+  await panel.getByText('Correct detected properties').click()
+  await panel.getByLabel('Labels and order are correct').check()
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
+  const result = page.locator('[data-part=import-result]')
+  await result.getByText('contrary to their shape', { exact: false }).waitFor()
+  return result
+}
+
+/// As far as the valve is drawn.
+function cutBelowPicture(result) {
+  return result.evaluate((whole) => {
+    const { bottom } = whole.querySelector('img').getBoundingClientRect()
+    whole.style.height = `${bottom - whole.getBoundingClientRect().top + 4}px`
+    whole.style.overflow = 'hidden'
+  })
+}
+
+await picture('import-labels-wrong', 'valve', { height: 1500 }, async (page) => {
+  const result = await importWrongLabels(page)
+  await cutBelowPicture(result)
+  return result
+})
+await picture('import-labels-mended', 'valve', { height: 1500 }, async (page) => {
+  const result = await importWrongLabels(page)
+  await result.getByLabel('What label 1 is').selectOption('anterior')
+  await result.locator('dd[data-subject=leaflets]', { hasText: 'label 1 is the anterior leaflet' }).waitFor()
+  await cutBelowPicture(result)
+  return result
+})
+
 const report = join(ROOT, 'out/report.html')
-if (existsSync(report)) {
+if (names.length === 0 && existsSync(report)) {
   const page = await browser.newPage({ viewport: { width: 1078, height: 1524 } })
   await page.goto(`file://${report}`)
   await page.screenshot({ path: join(folder, 'report.png') })
   console.log('report')
 }
 
-const { version } = await (await fetch(`${service.url}/version`)).json()
-writeFileSync(join(folder, 'page.json'), `${JSON.stringify({ version, pictures }, null, 2)}\n`)
+if (names.length === 0) {
+  const { version } = await (await fetch(`${service.url}/version`)).json()
+  writeFileSync(join(folder, 'page.json'), `${JSON.stringify({ version, pictures }, null, 2)}\n`)
+}
 
 await browser.close()
 await service.stop()
