@@ -212,10 +212,11 @@ void take_ties(const Found& found, ImportSource& source, ProblemList& problems) 
 
 bool is_slicerheart_folder(const std::vector<std::string>& names) {
   bool vtk = false, markups = false, chordae = false;
-  for (const std::string& name : names) {
-    const bool is_vtk = lower(name).ends_with(".vtk");
+  for (const std::string& path : names) {
+    const std::string name = lower(path.substr(path.find_last_of("/\\") + 1));
+    const bool is_vtk = name.ends_with(".vtk");
     vtk = vtk || is_vtk;
-    markups = markups || lower(name).ends_with(".mrk.json");
+    markups = markups || name.ends_with(".mrk.json");
     chordae = chordae || (is_vtk && has(name, "chord"));
   }
   return chordae || (vtk && markups);

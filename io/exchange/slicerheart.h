@@ -20,7 +20,7 @@
 
 namespace coapt {
 
-/// Whether files of such names are such a folder, or one that lacks a part: .vtk beside .mrk.json, or chordae as .vtk.
+/// Whether files of such names or paths are such a folder, or one that lacks a part: .vtk beside .mrk.json, or chordae as .vtk.
 bool is_slicerheart_folder(const std::vector<std::string>& names);
 
 /// For import_valve(). Errors: all problems of all files, the path beginning with the file's name

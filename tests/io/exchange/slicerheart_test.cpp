@@ -190,6 +190,13 @@ TEST(SlicerHeart, WhatIsMissingIsAllListed) {
   EXPECT_NE(errors[1].message.find("save the annulus contour curve"), std::string::npos);
 }
 
+TEST(SlicerHeart, AFolderIsKnownByItsFilesAlone) {
+  EXPECT_TRUE(is_slicerheart_folder({"leaflets.vtk", "annulus.mrk.json"}));
+  EXPECT_TRUE(is_slicerheart_folder({"/home/leaflets.vtk", "/home/Chords_mesh.vtk"}));
+  EXPECT_FALSE(is_slicerheart_folder({"/chordae/a.vtk", "/chordae/p.vtk", "/chordae/ring.csv"}));
+  EXPECT_FALSE(is_slicerheart_folder({"a.obj", "p.obj", "ring.mrk.json"}));
+}
+
 TEST(SlicerHeart, AFolderWithoutChordaeGivesTheTipsForDrawnOnes) {
   std::vector<NamedFile> files = folder_of(small_preset("human-normal"));
   std::erase_if(files, [](const NamedFile& file) { return file.name.starts_with("Chords"); });
