@@ -110,7 +110,7 @@ async function importWrongLabels(page) {
 function cutBelowPicture(result) {
   return result.evaluate((whole) => {
     const { bottom } = whole.querySelector('img').getBoundingClientRect()
-    whole.style.height = `${bottom - whole.getBoundingClientRect().top + 4}px`
+    whole.style.height = `${bottom - whole.getBoundingClientRect().top + 20}px`
     whole.style.overflow = 'hidden'
   })
 }
