@@ -1,7 +1,7 @@
 // The leak as the one large number of a view, where it is, and how sure it is.
-import type { Information, Measure, Scene } from '../api/types'
+import type { Closure, Information, Measure, Scene } from '../api/types'
 import { h } from '../dom'
-import { joined, knownDigits, withError, withUnit } from '../format'
+import { joined, knownDigits, typeset, withError, withUnit } from '../format'
 import { term } from '../help/term'
 import valveStyle from './valve.module.css'
 
@@ -28,6 +28,19 @@ export function headline(before: Scene, after: Scene | null, drawn: Information 
     ),
     tissue && h('span', { class: valveStyle.sure }, narrowing(drawn)),
   )
+}
+
+/// Why the valve leaks; nothing where its closure is not trusted.
+export function diagnosisLine({ closure }: Scene): HTMLElement | null {
+  const words = whyWords(closure)
+  return words ? h('p', { class: valveStyle.why, 'data-part': 'why' }, words) : null
+}
+
+/// "It leaks because the chordae of P2 are ruptured ...": without the leak, which stands above it with the wider of its errors.
+export function whyWords({ diagnosis }: Pick<Closure, 'diagnosis'>): string {
+  return typeset(diagnosis?.sentence ?? '')
+    .replace(/^The valve leaks [\d.]+(?: ± [\d.]+)? mm²/, 'It leaks')
+    .replace(/^(The valve is competent): it leaks [\d.]+(?: ± [\d.]+)? mm²/, '$1')
 }
 
 /// From 5 to 95 %, where the tissue leaves the leak less known than mesh and closure do.

@@ -13,7 +13,7 @@ import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
 import { DistanceTool } from './distance'
 import { Diastole } from './diastole'
-import { headline } from './headline'
+import { diagnosisLine, headline } from './headline'
 import { heartsPanel } from './hearts'
 import { importStage } from './import_stage'
 import { Looks } from './looks'
@@ -131,7 +131,10 @@ export class ValveView implements View {
 
   private tell(): void {
     const { before, valve } = this.workspace
-    if (before) this.headline.replaceChildren(headline(before, null, this.tissue.of(before, valve?.reference, null)))
+    if (!before) return
+    const why = diagnosisLine(before)
+    const drawn = this.tissue.of(before, valve?.reference, null)
+    this.headline.replaceChildren(headline(before, null, drawn), ...(why ? [why] : []))
   }
 
   /// After the closed valve, which does not wait for it. A valve that cannot be opened has a closing alone.
