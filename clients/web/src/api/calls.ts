@@ -32,9 +32,12 @@ export function close(valve: string, plan: Plan | null, signal?: AbortSignal): P
   return postJson('/v1/closures', { valve, ...(plan ? { plan } : {}) }, signal)
 }
 
-/// The same on finer and finer meshes, until the leak settles.
-export function proveLeak(valve: string, signal: AbortSignal): Promise<Closure> {
-  return postJson('/v1/closures', { valve, certainty: 'proof' }, signal)
+/// How much time its leak is worth: the mesh as it is, a finer one, or finer and finer ones until the leak settles.
+export const CERTAINTIES = ['quick', 'sure', 'proof'] as const
+export type Certainty = (typeof CERTAINTIES)[number]
+
+export function closeWith(certainty: Certainty, valve: string, signal: AbortSignal): Promise<Closure> {
+  return postJson('/v1/closures', { valve, certainty }, signal)
 }
 
 /// The same valve in diastole. `frames`: states of the opening, at most.

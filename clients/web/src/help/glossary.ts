@@ -18,8 +18,8 @@ export const GLOSSARY = {
     'The stretch of the leaflet relative to its unloaded state, along the annulus (circumferential) or from the annulus to the free edge (radial). The value is the 99th percentile: 1 % of the leaflet area is stretched more. Chordae insert at single points, so radial strains near them are overestimated.',
   error:
     'The error of the area due to mesh size and the stopping criterion of the closure; in nine of ten test valves the error was smaller. It grows with the area and does not include errors of tissue, imaging and pressure.',
-  finer:
-    'The valve is closed again on meshes of four and sixteen times as many triangles, until the leak changes by less than 0.5 mm² or 5 %. Each mesh takes about ten times as long as the one before.',
+  certainty:
+    'How much time the leak is worth. Quick: the mesh as shown. Sure: also a mesh of four times as many triangles. Proof: finer and finer meshes, until the leak changes by less than 0.5 mm² or 5 %, or the next mesh is too large. In nine of ten test valves the error was smaller than the one stated here; it does not include errors of tissue, imaging and pressure.',
   tissue:
     'The valve was closed in many variants of tissue and chordae within the ranges of their sources, weighted by the observations of this valve. The leak lies between the two areas in nine of ten variants.',
   margin: 'The smallest error in placing a suture or a ring that makes the valve leak more than 1 mm².',

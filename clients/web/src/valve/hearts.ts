@@ -25,7 +25,7 @@ const KINDS: Record<Physiology['kind'], string> = {
 
 export function heartsPanel(workspace: Workspace): HTMLElement {
   const question = valveQuestion(workspace, {
-    label: 'Compare with measurements',
+    labels: ['Compare with measurements'],
     busy: 'Comparing with measurements',
     ask: async (reference, signal) => rowsOf(await comparePhysiology(reference, signal)),
     style: valveStyle.hearts,
@@ -39,7 +39,7 @@ export function heartsPanel(workspace: Workspace): HTMLElement {
       { class: parts.hint },
       'Compares loads, strains, rings, opening and clips of this valve with published measurements. The valve is closed and opened 17 times, which takes some seconds.',
     ),
-    question.button,
+    ...question.buttons,
     question.progress,
     question.answer,
   )

@@ -11,13 +11,13 @@ import type { Command, View } from '../view'
 import { kindsOn, legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
+import { certainty } from './certainty'
 import { DistanceTool } from './distance'
 import { Diastole } from './diastole'
 import { diagnosisLine, headline } from './headline'
 import { heartsPanel } from './hearts'
 import { importStage } from './import_stage'
 import { Looks } from './looks'
-import { makeSure } from './make_sure'
 import { measures } from './measures'
 import { openPanel } from './open'
 import { sectionInset } from './section_inset'
@@ -78,8 +78,8 @@ export class ValveView implements View {
           { class: parts.panel },
           h('h2', {}, 'Measured'),
           this.diastole.element,
+          certainty(workspace),
           this.measures,
-          makeSure(workspace),
         ),
         this.looks.element,
         storyList(),

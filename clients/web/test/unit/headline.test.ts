@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest'
+import { CERTAINTIES } from '../../src/api/calls'
 import type { Information, Measure } from '../../src/api/types'
 import { leakWords, narrowing, whyWords, widerTissue } from '../../src/valve/headline'
-import { sureWords } from '../../src/valve/make_sure'
+import { certaintyWords, tradeWords } from '../../src/valve/certainty'
 
 const leaking = (area_mm2: number, error_mm2: number) =>
   ({ leak_mm2: area_mm2, leak: { area_mm2, error_mm2, openings: [] } }) as unknown as Measure
@@ -41,10 +42,19 @@ test('what narrows the range is named where it tells much', () => {
   expect(narrowing(null)).toBe('')
 })
 
-test('finer meshes say each leak, its time and whether it has converged', () => {
+test('each choice says what it will take and leave, and then what it took and left', () => {
   const level = (triangles: number, leak_mm2: number, seconds: number) => ({ triangles, leak_mm2, seconds })
+  const closure = { ...leaking(58, 5.7), seconds: 0.04, triangles: 648 } as Parameters<typeof certaintyWords>[0]
+  expect(CERTAINTIES.map((choice) => tradeWords(choice, closure))).toEqual([
+    'about 0.04 s, ± 6 mm²',
+    'about 0.20 s, ± 2.5 mm²',
+    'about 0.80 s, ± 1.1 mm²',
+  ])
+  expect(tradeWords('proof', { ...closure, leak: { ...closure.leak, error_mm2: null } })).toBe('about 0.80 s')
+  expect(certaintyWords(closure)).toBe('The leak is 58 ± 6 mm² (on 648 triangles, in 0.04 s).')
   const levels = [level(648, 58.12, 0.1), level(2592, 57.64, 1.42)]
-  expect(sureWords({ levels, stop: 'settled' } as unknown as Parameters<typeof sureWords>[0])).toBe(
-    'The leak is 58.1 and 57.6 mm² on 648 and 2,592 triangles (0.1 and 1.4 s). It has converged.',
+  const convergence = { levels, stop: 'settled', leak_error_mm2: 0.48 } as NonNullable<typeof closure.convergence>
+  expect(certaintyWords({ ...closure, convergence })).toBe(
+    'The leak is 57.6 ± 0.5 mm² (58.1 and 57.6 on 648 and 2,592 triangles, in 0.10 and 1.4 s). It has converged.',
   )
 })
