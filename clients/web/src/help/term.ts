@@ -4,6 +4,7 @@ import { GLOSSARY, type Term } from './glossary'
 import helpStyle from './help.module.css'
 
 const WIDTH_PX = 300
+const WIDE_PX = 430 // of tables
 
 const bubble = () => h('div', { popover: 'auto', class: helpStyle.bubble, role: 'note', 'data-part': 'help' })
 let shown: HTMLElement | null = null
@@ -18,15 +19,26 @@ export function explained(words: string, text: string): HTMLElement {
   return element
 }
 
-/// Below `word`.
 export function explain(word: HTMLElement, text: string): void {
+  show(word, text, WIDTH_PX)
+}
+
+/// What is more than words: it is entered at its first control.
+export function openBubble(word: HTMLElement, content: HTMLElement): void {
+  show(word, content, WIDE_PX).querySelector<HTMLElement>('button, a, input')?.focus()
+}
+
+/// Below `word`.
+function show(word: HTMLElement, content: string | Node, width_px: number): HTMLElement {
   shown ??= bubble()
   if (!shown.isConnected) document.body.append(shown)
-  shown.textContent = text
+  shown.replaceChildren(content)
   const box = word.getBoundingClientRect()
-  shown.style.left = `${Math.max(8, Math.min(box.left, innerWidth - WIDTH_PX - 8))}px`
+  shown.style.width = `${width_px}px`
+  shown.style.left = `${Math.max(8, Math.min(box.left, innerWidth - width_px - 8))}px`
   shown.style.top = `${box.bottom + 6}px`
   shown.showPopover()
   const over = shown.getBoundingClientRect().bottom - innerHeight + 8
   if (over > 0) shown.style.top = `${Math.max(8, box.bottom + 6 - over)}px`
+  return shown
 }

@@ -3,9 +3,8 @@ import type { Closure, Information, Measure, Scene } from '../api/types'
 import { h } from '../dom'
 import { joined, knownDigits, typeset, withError, withUnit } from '../format'
 import { term } from '../help/term'
+import { narrowing } from './information'
 import valveStyle from './valve.module.css'
-
-const TELLING = 0.3 // of the variance: what tells less of it is not named
 
 /// `drawn`: of the valve as it is shown last; null while it is not known.
 export function headline(before: Scene, after: Scene | null, drawn: Information | null = null): HTMLElement {
@@ -26,7 +25,7 @@ export function headline(before: Scene, after: Scene | null, drawn: Information 
           ? 'error not known'
           : term('error', '± numerical error'),
     ),
-    tissue && h('span', { class: valveStyle.sure }, narrowing(drawn)),
+    tissue && drawn && h('span', { class: valveStyle.sure }, narrowing(drawn)),
   )
 }
 
@@ -54,12 +53,6 @@ export function widerTissue({ leak }: Measure, drawn: Information | null): Range
 interface Range {
   low: number
   high: number
-}
-
-/// The measurement of the valve that would tell most of it.
-export function narrowing(drawn: Information | null): string {
-  const row = drawn?.rows[0]
-  return row && (row.share_removed ?? 0) >= TELLING ? `To narrow it, measure first: ${row.measurement}.` : ''
 }
 
 /// " at A2 and P2, 3.1 mm wide": the largest opening and the segments that have most of its rim. Empty where there is none, or the leak is not more than its error.

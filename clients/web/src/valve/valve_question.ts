@@ -35,7 +35,9 @@ export function valveQuestion<Choice extends string>(
     const mine = new AbortController()
     asked = mine
     setBusy(true)
-    const parts = await ask(valve.reference, mine.signal, chosen).catch((error: unknown) => [problemList(problemsOf(error))])
+    const parts = await ask(valve.reference, mine.signal, chosen).catch((error: unknown) => [
+      problemList(problemsOf(error)),
+    ])
     if (asked !== mine) return
     answer.replaceChildren(...parts)
     setBusy(false)

@@ -167,6 +167,33 @@ test('what images show narrows the range of the leak, and stays with the valve',
   )
 })
 
+test('all measurements that would narrow the leak are told, and lead to where they are entered', async () => {
+  const { rows } = await (
+    await fetch(`${service.url}/v1/information`, {
+      method: 'POST',
+      body: '{"valve": "human-functional-mr", "draws": 24}',
+    })
+  ).json()
+  const link = page.locator('[data-part=narrowing]')
+  assert.ok((await link.textContent()).endsWith(rows[0].measurement.replace('mm2', 'mm²')))
+  const told = page.locator('[data-part=information]')
+  for (const [name, part] of [
+    ['Enter what images show', 'observed'],
+    ['Fit to closed leaflets', 'import'],
+  ]) {
+    await link.click()
+    assert.deepEqual(
+      await told.locator('tbody th').allTextContents(),
+      rows.map(({ measurement }) => measurement.replace('mm2', 'mm²')),
+    )
+    assert.deepEqual(await accessProblems(page), [])
+    await told.getByRole('button', { name }).click()
+    await told.waitFor({ state: 'hidden' })
+    assert.equal(await page.evaluate((of) => document.activeElement.closest('details').dataset.part === of, part), true)
+    await page.locator(`details[data-part=${part}] > summary`).click()
+  }
+})
+
 test('time is traded for certainty of the leak, as the service says', async () => {
   const panel = page.locator('[data-part=certainty]')
   const { leak, triangles } = await (

@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest'
 import { CERTAINTIES } from '../../src/api/calls'
 import type { Information, Measure } from '../../src/api/types'
-import { leakWords, narrowing, whyWords, widerTissue } from '../../src/valve/headline'
+import { leakWords, whyWords, widerTissue } from '../../src/valve/headline'
+import { narrowingWords } from '../../src/valve/information'
 import { certaintyWords, tradeWords } from '../../src/valve/certainty'
 
 const leaking = (area_mm2: number, error_mm2: number) =>
@@ -30,16 +31,18 @@ test('why the valve leaks is told without its leak again', () => {
   expect(why('The valve leaks 96 ± 7 mm2 because the chordae of P2 are ruptured.')).toBe(
     'It leaks because the chordae of P2 are ruptured.',
   )
-  expect(why('The valve leaks 5.1 ± 2 mm², probably because A2 prolapses.')).toBe('It leaks, probably because A2 prolapses.')
+  expect(why('The valve leaks 5.1 ± 2 mm², probably because A2 prolapses.')).toBe(
+    'It leaks, probably because A2 prolapses.',
+  )
   expect(why('The valve is competent: it leaks 0.1 ± 0.9 mm².')).toBe('The valve is competent.')
   expect(why('Another sentence.')).toBe('Another sentence.')
   expect(whyWords({})).toBe('')
 })
 
 test('what narrows the range is named where it tells much', () => {
-  expect(narrowing(drawn([33, 95]))).toBe('To narrow it, measure first: widest gap to 0.5 mm.')
-  expect(narrowing(drawn([33, 95], 0.1))).toBe('')
-  expect(narrowing(null)).toBe('')
+  expect(narrowingWords(drawn([33, 95]))).toBe('To narrow it, measure first: widest gap to 0.5 mm')
+  expect(narrowingWords(drawn([33, 95], 0.1))).toBe('What would narrow it')
+  expect(narrowingWords({ rows: [] })).toBe('What would narrow it')
 })
 
 test('each choice says what it will take and leave, and then what it took and left', () => {
