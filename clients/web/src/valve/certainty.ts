@@ -30,17 +30,21 @@ export function certainty(workspace: Workspace): HTMLElement {
     style: parts.hint,
   })
   const trades = CERTAINTIES.map(() => h('span', { class: parts.hint }))
-  workspace.subscribe(() => {
-    const closure = workspace.before?.closure
-    if (closure) CERTAINTIES.forEach((word, i) => (trades[i] as HTMLElement).replaceChildren(tradeWords(word, closure)))
-  })
-  return h(
+  const element = h(
     'div',
     { 'data-part': 'certainty', role: 'group', 'aria-label': 'Time or certainty' },
     h('p', {}, term('certainty', 'Time or certainty'), ' ', question.progress),
     ...question.buttons.map((go, i) => h('div', { class: `${parts.row} ${valveStyle.trade}` }, go, trades[i])),
     question.answer,
   )
+  function tell(): void {
+    const closure = workspace.before?.closure
+    element.hidden = !closure
+    for (const [i, word] of CERTAINTIES.entries()) if (closure) trades[i]?.replaceChildren(tradeWords(word, closure))
+  }
+  workspace.subscribe(tell)
+  tell() // a valve may be open already
+  return element
 }
 
 /// "about 0.3 s, ± 2.5 mm²": what this choice will take and leave of the error of this closure.

@@ -54,7 +54,10 @@ export class Stage {
     this.light.position.set(-0.4, 0.7, 1)
     this.controls = new OrbitControls(this.camera, this.canvas)
     this.canvas.style.touchAction = '' // the style sheet's: a finger may scroll the page
-    this.controls.addEventListener('change', () => this.draw())
+    this.controls.addEventListener('change', () => {
+      this.camera.updateMatrixWorld() // for who asks now where points are
+      this.draw()
+    })
     this.canvas.addEventListener('keydown', (event) => this.turn(event))
     new ResizeObserver(() => this.resize()).observe(this.canvas)
     onTheme(() => this.draw())
@@ -235,6 +238,7 @@ export class Stage {
     this.camera.aspect = clientWidth / clientHeight
     this.camera.updateProjectionMatrix()
     this.zoom(this.fitting() / before)
+    this.controls.dispatchEvent({ type: 'change' }) // more or less is in sight, also where the camera has not moved
     this.drawNow()
   }
 

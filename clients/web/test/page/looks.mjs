@@ -13,7 +13,7 @@ const WINDOWS = [
   [1280, 800],
 ]
 const LARGER = '125%' // of the letters that a browser has else
-const FONTS = ['DejaVu Serif', 'DejaVu Sans Condensed', 'Liberation Sans'] // where there are any; the page asks for what the system has
+const FONTS = ['DejaVu Serif', 'DejaVu Sans Condensed', 'DejaVu Serif Condensed', 'Liberation Sans'] // besides the system's, where there are any; the page asks for what the system has
 const NAMED =
   /^\s*- (button|link|textbox|searchbox|slider|spinbutton|combobox|checkbox|radio|img|dialog|listbox)(?: \[[^\]]*\])*:?$/
 const PICTURES = join(ROOT, 'build/pages')

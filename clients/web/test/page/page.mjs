@@ -79,11 +79,16 @@ export function startBrowser() {
 }
 
 /// A page with the view `name` and a closed valve in it.
-export async function openView(browser, url, name, { width = 1280, height = 800, theme = 'light' } = {}) {
+export async function openView(
+  browser,
+  url,
+  name,
+  { width = 1280, height = 800, theme = 'light', motion = 'reduce' } = {},
+) {
   const context = await browser.newContext({
     viewport: { width, height },
     colorScheme: theme,
-    reducedMotion: 'reduce',
+    reducedMotion: motion,
   })
   const page = await context.newPage()
   page.setDefaultTimeout(PATIENCE_MS)

@@ -24,8 +24,8 @@ after(async () => {
   await service.stop()
 })
 
-async function open(view, { url = service.url, prepare = async () => {} } = {}) {
-  const opened = await openView(browser, url, 'studies', { width: 1440, height: 900 })
+async function open(view, { url = service.url, prepare = async () => {}, motion = 'reduce' } = {}) {
+  const opened = await openView(browser, url, 'studies', { width: 1440, height: 900, motion })
   await opened.page.addInitScript(drawNothing)
   await prepare(opened.page)
   await opened.page.goto(`${url}/#/${view}`)
@@ -330,6 +330,25 @@ test('an address that names nothing', async () => {
   await page.getByText('There is no valve').waitFor()
   complaints.length = 0 // the browser reports the answer 404
   await looksWell('no-such-valve')
+})
+
+test('with motion: a beat played to its end, a repair, the palette', async () => {
+  const moving = await open('valve', { motion: 'no-preference' })
+  const { page: of, complaints: said } = moving
+  await named('human-functional-mr', of)
+  assert.equal(await of.evaluate(() => matchMedia('(prefers-reduced-motion: reduce)').matches), false)
+  await press('Play a beat', of)
+  await of.getByRole('button', { name: 'Play a beat' }).waitFor()
+  await of.locator('[data-part=labels] [data-part=leak]', { hasText: 'cm²' }).first().waitFor()
+  await looksWell('motion-open', { of, said })
+  await view('Repair', of)
+  await press('Ring', of)
+  await of.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
+  await looksWell('motion-repair', { of, said, theme: 'dark' })
+  await of.keyboard.press('Control+k')
+  await of.locator('#palette-list', { hasText: 'human-normal' }).waitFor()
+  await looksWell('motion-palette', { of, said })
+  await of.context().close()
 })
 
 test('without the engine live and training are not offered; who asks for them is told', async () => {
