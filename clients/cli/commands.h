@@ -32,6 +32,7 @@ void add_study(Command parent, int& status);
 void add_train(Command parent, int& status);
 /// Below train.
 void add_train_exam(Command parent, int& status);
+void add_train_power(Command parent, int& status);
 void add_train_raters(Command parent, int& status);
 void add_train_score(Command parent, int& status);
 /// Below study.

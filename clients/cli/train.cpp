@@ -149,6 +149,7 @@ void add_train(Command parent, int& status) {
   add_train_exam(train, status);
   add_train_score(train, status);
   add_train_raters(train, status);
+  add_train_power(train, status);
 }
 
 }  // namespace coapt

@@ -22,6 +22,14 @@ std::array<double, 2> share_interval(int right, int answers) {
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
+int answers_to_tell(double share, double other, double power) {
+  const double mean = 0.5 * (share + other), difference = share - other;
+  const double sum =
+      normal_quantile(0.975) * std::sqrt(2.0 * mean * (1.0 - mean)) +
+      normal_quantile(power) * std::sqrt(share * (1.0 - share) + other * (1.0 - other));
+  return static_cast<int>(std::ceil(sum * sum / (difference * difference)));
+}
+
 double normal_quantile(double share) {
   double low = -40.0, high = 40.0;
   while (high - low > 1e-10) {

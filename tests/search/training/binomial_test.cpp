@@ -23,6 +23,13 @@ TEST(Binomial, IntervalsAreWilsons) {
   EXPECT_NEAR(half[0] + half[1], 1.0, 1e-9);
 }
 
+TEST(Power, NeedsTheAnswersOfTheTableForTeachers) {  // docs/training.md
+  EXPECT_EQ(answers_to_tell(0.25, 0.45, 0.8), 89);
+  EXPECT_EQ(answers_to_tell(0.25, 0.63, 0.8), 26);
+  EXPECT_EQ(answers_to_tell(0.33, 0.44, 0.8), 306);
+  EXPECT_EQ(answers_to_tell(0.44, 0.33, 0.8), 306);
+}
+
 TEST(NormalQuantile, IsThatOfTheTables) {
   EXPECT_NEAR(normal_quantile(0.5), 0.0, 1e-9);
   EXPECT_NEAR(normal_quantile(0.975), 1.959963985, 1e-8);
