@@ -15,20 +15,21 @@ export interface FeedbackParts {
   four: FourValves
   title: string
   aside: HTMLElement
+  learn(seed?: number): void // shows exemplars of the kinds, of this case of exam B
   signal: AbortSignal
 }
 
 export async function feedbackA(
   made: CaseA,
   judged: Judged,
-  { frame, analysis, four, title, aside, signal }: FeedbackParts,
+  { frame, analysis, four, title, aside, learn, signal }: FeedbackParts,
 ): Promise<void> {
   const next = button('Next', () => {}, { class: parts.primary })
   const told = tellingOf(made, judged, analysis)
   four.tell(made.answer, Number(judged.choice))
   const show = (): void => {
     if (told) four.mark(told.segment)
-    frame.show(title, words, four.element, [panel('Answer', why, leaks, pull, next), aside])
+    frame.show(title, words, four.element, [panel('Answer', why, leaks, pull, exemplar, next), aside])
   }
   const leaks = h(
     'table',
@@ -57,6 +58,11 @@ export async function feedbackA(
       analysis.canvas.show()
       analysis.canvas.grabEdge(told.segment)
     }),
+  )
+  const exemplar = h(
+    'p',
+    {},
+    button('Feel an exemplar of each kind', () => learn()),
   )
   show()
   await pressed(next, signal)
@@ -88,7 +94,7 @@ function whyWords({ answer }: CaseA, judged: Judged, { segment, higher_mm, other
 export async function feedbackB(
   made: CaseB,
   judged: Judged,
-  { frame, title, aside, signal }: Omit<FeedbackParts, 'four' | 'analysis'>,
+  { frame, title, aside, learn, signal }: Omit<FeedbackParts, 'four' | 'analysis'>,
 ): Promise<void> {
   const next = button('Next', () => {}, { class: parts.primary })
   const { pull_n, limit_mm } = made.limits
@@ -104,7 +110,18 @@ export async function feedbackB(
         `Each free edge was pulled towards the atrium with ${pull_n} N. A segment more than ${limit_mm} mm lower than in the valve without lesions is tethered; one as much higher is prolapsing. Heights are above the annular plane.`,
       ),
     ),
-    [panel('Answer', next), aside],
+    [
+      panel(
+        'Answer',
+        h(
+          'p',
+          {},
+          button('Feel the exemplars of this case', () => learn(made.seed)),
+        ),
+        next,
+      ),
+      aside,
+    ],
   )
   await pressed(next, signal)
 }

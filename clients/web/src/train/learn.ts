@@ -106,6 +106,12 @@ export class Learn {
     this.canvas.hide()
   }
 
+  /// Another case than that which stands in its field.
+  take(seed: number): void {
+    this.seed.value = String(seed)
+    void this.open()
+  }
+
   private async open(): Promise<void> {
     const [valve, seed] = [this.valve(), Math.max(1, Math.round(Number(this.seed.value)) || 1)]
     const asked = `${seed} ${valve}`

@@ -18,7 +18,7 @@ export interface SessionParts {
   frame: Frame
   analysis: Analysis
   four: FourValves
-  learn(): void // shows the instruction
+  learn(seed?: number): void // shows the instruction, on this case of exam B
   learner: Learner
   signal: AbortSignal
   stop: HTMLElement // a button that ends it

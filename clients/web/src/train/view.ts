@@ -110,7 +110,10 @@ export class TrainView implements View {
         ...this.tools,
         engine,
         frame,
-        learn: () => this.go('learn'),
+        learn: (seed) => {
+          this.go('learn')
+          if (seed !== undefined) this.learn?.take(seed)
+        },
         learner: { number: setup.number, valve: setup.valve },
         signal: running.signal,
         stop: button('Stop', () => running.abort()),

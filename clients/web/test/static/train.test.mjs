@@ -114,6 +114,10 @@ test('exam A in practice: the answer says which segment gave the valve away, and
   await looks('practice-pull', page, complaints, { theme: 'dark' })
   await press('Back to the four valves')
   await why.waitFor()
+  await press('Feel an exemplar of each kind')
+  await page.locator('[data-part=exemplars][data-case="3"] li').nth(2).waitFor()
+  await press('Back')
+  await why.waitFor()
   await press('Stop')
 })
 
