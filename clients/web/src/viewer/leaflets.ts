@@ -11,6 +11,7 @@ export class Leaflets {
   private readonly edges: [number, number][]
   private readonly points: Float32Array
   private readonly normals: Float32Array
+  private painted: Float32Array = new Float32Array()
 
   /// `material`: leafletMaterial(), the same for all closures of a view.
   constructor(
@@ -55,8 +56,10 @@ export class Leaflets {
     this.mesh.geometry.computeBoundingSphere()
   }
 
-  /// `colours`: of the corners of Scene.faces, three numbers each.
+  /// `colours`: of the corners of Scene.faces, three numbers each. Those of a valve that moves are mostly the same: not sent again.
   paint(colours: Float32Array): void {
+    if (colours.length === this.painted.length && colours.every((value, i) => value === this.painted[i])) return
+    this.painted = colours
     const attribute = this.mesh.geometry.getAttribute('color') as BufferAttribute
     const linear = colours.map(toLinear)
     for (const [corner, from] of this.sheet.source.entries())

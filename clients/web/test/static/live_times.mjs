@@ -1,8 +1,10 @@
 // How fast the valve that is pulled is here: `node live_times.mjs [PRESET]`, after make static. Steps a second in node and in
 // Chromium over wall time of running; from a move of the mouse (its event's time) until the commands that draw a picture in
-// which the valve has felt it are given. Figures are of this machine, without a graphics card.
+// which the valve has felt it are given, and the same with nothing drawn; draw calls and bytes a picture. Figures are of this machine, without a graphics card.
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { countFrames, frameWords } from '../page/frames.mjs'
+import { drawNothing } from '../page/looks.mjs'
 import { openView, ROOT, startBrowser } from '../page/page.mjs'
 import { startInNode } from './bits.mjs'
 import { startFiles } from './files.mjs'
@@ -29,17 +31,22 @@ console.log(
 
 const files = await startFiles(STATIC)
 const browser = await startBrowser()
-for (const [width, height] of [
-  [1280, 800],
-  [700, 500],
+for (const [width, height, scripts] of [
+  [1280, 800, [countFrames]],
+  [700, 500, [countFrames]],
+  [1280, 800, [countFrames, drawNothing]], // all that a picture takes beside being drawn
 ]) {
-  const { page } = await openView(browser, files.url, `live?valve=${name}`, { width, height })
+  const { page } = await openView(browser, files.url, 'studies', { width, height })
+  for (const script of scripts) await page.addInitScript(script)
+  await page.goto(`${files.url}/#/live?valve=${name}`)
+  await page.reload()
   await page.waitForFunction(() => globalThis.coapt?.live?.state()?.at_rest)
   const box = await page.locator('[data-part=live] canvas').boundingBox()
   const [x, y] = [box.x + box.width / 2, box.y + 0.68 * box.height]
   await page.evaluate(() => {
     const seen = []
     let last = null
+    globalThis.before = { ...globalThis.frames }
     const look = () => {
       const { latency_ms } = globalThis.coapt.live.state()
       if (latency_ms !== null && latency_ms !== last) seen.push(latency_ms)
@@ -55,15 +62,18 @@ for (const [width, height] of [
     await page.mouse.move(x + 20 * Math.sin(i / 10), y - 40 - 30 * Math.cos(i / 10))
     await page.waitForTimeout(16)
   }
-  const { rate, pictures, seen } = await page.evaluate(() => ({
+  const { rate, pictures, seen, frames, before } = await page.evaluate(() => ({
     rate: globalThis.coapt.live.stepsPerSecond,
     pictures: globalThis.coapt.live.state().pictures_per_second,
     seen: globalThis.seen,
+    frames: globalThis.frames,
+    before: globalThis.before,
   }))
   await page.mouse.up()
   console.log(
     `Chromium, canvas ${Math.round(box.width)} x ${Math.round(box.height)}: ${Math.round(rate)} steps per second, ${Math.round(pictures)} frames per second; ` +
-      `latency ${Math.round(share(seen, 0.5))} ms median, ${Math.round(share(seen, 0.95))} ms 95th percentile, ${Math.round(share(seen, 0))} ms least, of ${seen.length}`,
+      `latency ${Math.round(share(seen, 0.5))} ms median, ${Math.round(share(seen, 0.95))} ms 95th percentile, ${Math.round(share(seen, 0))} ms least, of ${seen.length}; ` +
+      (scripts.includes(drawNothing) ? 'nothing drawn' : frameWords(frames, before)),
   )
   await page.close()
 }
