@@ -51,7 +51,9 @@ html{font-size:11.6px}
 body{font-size:1rem;line-height:1.27}
 .first dl div{padding:.2rem .5rem}.first dl{gap:.35rem}
 .first>.robust,.first>.least-bad,.notice{margin:.25rem 0}
-.first figure{margin:.2rem 0}.atrial img{width:auto;max-width:100%;max-height:54mm}.cut img{width:auto;max-width:100%;max-height:46mm}.first .plan li{margin-bottom:.2rem}
+.first figure{margin:.2rem 0}.atrial img{width:auto;max-width:100%;max-height:44mm}.cut img{width:auto;max-width:100%;max-height:40mm}.first .plan li{margin-bottom:.2rem}
+.first dl{grid-template-columns:repeat(5,minmax(0,1fr))}
+.first:has(.plan>li:nth-child(3)){grid-template-areas:"verdict verdict" "atrial atrial" "cut operation" "care operation" "key key" "others others"}
 main{padding:0;max-width:none}
 h1{font-size:1.3rem}
 .contents{display:none}
