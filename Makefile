@@ -23,7 +23,7 @@ ENGINE := build/wasm/bin/coapt-engine.wasm
 PLANNER := build/wasm/bin/coapt-planner.wasm
 ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server attacks farm-chaos instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server attacks farm-chaos instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check clients-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -307,7 +307,12 @@ readers-check: programs build/readers-check/node_modules  ## fail if VTK, the gl
 	tests/readers/check_files.py $(BIN)/coapt env NODE_PATH=build/readers-check/node_modules node tests/readers/validate_glb.js
 	NODE_PATH=build/readers-check/node_modules node tests/readers/validate_manifests.js examples/farm/kubernetes/*.yaml
 
-# The npm packages of openapi-check, readers-check and workflow-check.
+clients-check: programs build/clients-check/node_modules  ## fail if a client that a generator makes of the OpenAPI document does not compile or run
+	@cmake -D OUTPUT=build/openapi.json -P server/openapi.cmake
+	NODE_MODULES=$(CURDIR)/build/clients-check/node_modules PROGRAMS=$(CURDIR)/$(BIN) CONTRACT=$(CURDIR)/build/openapi.json \
+	  node --test --test-reporter=spec tests/clients/clients.test.mjs
+
+# The npm packages of openapi-check, clients-check, readers-check and workflow-check.
 build/%-check/node_modules: tests/%/package-lock.json
 	@command -v npm >/dev/null || cmake/install_packages.sh npm
 	@mkdir -p $(@D)

@@ -83,6 +83,7 @@ def stages(units):
                 Phase("static", "static-test npm-test", rooms=("clients/engine",), paths=BUILD + page + node),
                 Phase("live", "live-test", rooms=("clients/live",), paths=BUILD),
                 Phase("scripts", "scripts-test", rooms=PRODUCT, paths=BUILD + scripts),
+                Phase("clients", "clients-check", paths=("server/openapi", "io/schema/", "tests/clients")),
                 # They hold what documents show, and nothing of the engine that no other test holds.
                 Phase("examples", "examples-test", paths=("clients/python", "tests/python", "examples/python")),
                 Phase("laboratory", "lab-test", rooms=("lab",), paths=BUILD + ("tests/lab", "lab/")),

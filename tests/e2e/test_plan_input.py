@@ -23,8 +23,8 @@ def search_schema():
     """search.schema.json, with what it takes from plan.schema.json put in its place."""
     schema, plan = [json.loads((SOURCE / f"io/schema/{name}.schema.json").read_text()) for name in ("search", "plan")]
     steps = schema["$defs"]["rules"]["properties"]["fixed"]["properties"]
-    assert steps["steps"] == {"$ref": "../plan/1#/properties/steps"}
-    steps["steps"] = plan["properties"]["steps"]
+    assert steps["steps"] == {"$ref": "../plan/1#/$defs/steps"}
+    steps["steps"] = plan["$defs"]["steps"]
     schema["$defs"] |= plan["$defs"]
     return schema
 
