@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -243,11 +244,21 @@ TEST(SearchLimits, ListsEveryOptionOutsideItsRange) {
   EXPECT_EQ(paths_of(search_plans(small_valve(), options, context_of(needs_suture))), expected);
 }
 
-TEST(SearchLimits, EverythingForbiddenIsAnErrorOfTheRules) {
+TEST(SearchLimits, EverythingForbiddenLeavesNoPlanAndSaysWhy) {
   SearchOptions options = small_search();
   options.rules.forbidden = {"annuloplasty", "papillary_approximation"};
-  const auto refused = search_plans(small_valve(), options, context_of(needs_suture));
-  EXPECT_EQ(paths_of(refused), (std::vector<std::string>{"/rules"}));
+  const auto none = search_plans(small_valve(), options, context_of(needs_suture));
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->plans.empty());
+  EXPECT_EQ(none->stop, SearchStop::Exhausted);
+  const auto forbidden = std::count_if(none->cut.begin(), none->cut.end(),
+                                       [](const auto& cut) { return cut.why == "forbidden"; });
+  EXPECT_GE(forbidden, 2) << "rings, and the muscles";
+}
+
+TEST(SearchLimits, FixedStepsThatAreForbiddenOrImpossibleAreErrors) {
+  SearchOptions options = small_search();
+  options.rules.forbidden = {"annuloplasty", "papillary_approximation"};
   options.rules.fixed = suture(Side::Posteromedial, 24.0);
   EXPECT_EQ(paths_of(search_plans(small_valve(), options, context_of(needs_suture))),
             (std::vector<std::string>{"/rules/fixed/steps/0"}))
