@@ -2,7 +2,7 @@
 import type { Closure, Information, Measure, Scene } from '../api/types'
 import { h } from '../dom'
 import { joined, knownDigits, typeset, withError, withUnit } from '../format'
-import { term } from '../help/term'
+import { explained, term } from '../help/term'
 import { narrowing } from './information'
 import valveStyle from './valve.module.css'
 
@@ -29,17 +29,24 @@ export function headline(before: Scene, after: Scene | null, drawn: Information 
   )
 }
 
-/// Why the valve leaks; nothing where its closure is not trusted.
+/// Why the valve leaks, in a line that tells its figures when pressed; nothing where its closure is not trusted.
 export function diagnosisLine({ closure }: Scene): HTMLElement | null {
   const words = whyWords(closure)
-  return words ? h('p', { class: valveStyle.why, 'data-part': 'why' }, words) : null
+  if (!words) return null
+  return h(
+    'p',
+    { class: valveStyle.why, 'data-part': 'why' },
+    explained(words, typeset(closure.diagnosis?.sentence ?? '')),
+  )
 }
 
-/// "It leaks because the chordae of P2 are ruptured ...": without the leak, which stands above it with the wider of its errors.
+/// "It leaks because the chordae of P2 are ruptured (Carpentier type II).": without the figures of its reasons, and without the
+/// leak, which stands above it with the wider of its errors.
 export function whyWords({ diagnosis }: Pick<Closure, 'diagnosis'>): string {
   return typeset(diagnosis?.sentence ?? '')
-    .replace(/^The valve leaks [\d.]+(?: ± [\d.]+)? mm²/, 'It leaks')
-    .replace(/^(The valve is competent): it leaks [\d.]+(?: ± [\d.]+)? mm²/, '$1')
+    .replace(/^The valve leaks [\d.]+(?: ± [\d.]+)? mm²(?: \([^)]*\))?/, 'It leaks')
+    .replace(/^(The valve is competent): it leaks [\d.]+(?: ± [\d.]+)? mm²(?: \([^)]*\))?/, '$1')
+    .replace(/: [^;:]*(?= \(Carpentier)/g, '')
 }
 
 /// From 5 to 95 %, where the tissue leaves the leak less known than mesh and closure do.

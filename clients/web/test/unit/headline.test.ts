@@ -31,6 +31,11 @@ test('why the valve leaks is told without its leak again', () => {
   expect(why('The valve leaks 96 ± 7 mm2 because the chordae of P2 are ruptured.')).toBe(
     'It leaks because the chordae of P2 are ruptured.',
   )
+  expect(
+    why(
+      'The valve leaks 40 mm² (13 to 93 mm² with tissue error) because P2 prolapses: its edge rises (Carpentier type II).',
+    ),
+  ).toBe('It leaks because P2 prolapses (Carpentier type II).')
   expect(why('The valve leaks 5.1 ± 2 mm², probably because A2 prolapses.')).toBe(
     'It leaks, probably because A2 prolapses.',
   )
