@@ -6,8 +6,13 @@ import { explained, term } from '../help/term'
 import { narrowing } from './information'
 import valveStyle from './valve.module.css'
 
-/// `drawn`: of the valve as it is shown last; null while it is not known.
-export function headline(before: Scene, after: Scene | null, drawn: Information | null = null): HTMLElement {
+/// `drawn`: of the valve as it is shown last; null while it is not known. `why`: below the leak.
+export function headline(
+  before: Scene,
+  after: Scene | null,
+  drawn: Information | null = null,
+  why: HTMLElement | null = null,
+): HTMLElement {
   const { closure } = after ?? before
   const tissue = widerTissue(closure, drawn)
   return h(
@@ -25,7 +30,8 @@ export function headline(before: Scene, after: Scene | null, drawn: Information 
           ? 'error not known'
           : term('error', '± numerical error'),
     ),
-    tissue && drawn && h('span', { class: valveStyle.sure }, narrowing(drawn)),
+    why,
+    tissue && drawn && h('span', { class: `${valveStyle.sure} ${valveStyle.below}` }, narrowing(drawn)),
   )
 }
 
@@ -33,11 +39,8 @@ export function headline(before: Scene, after: Scene | null, drawn: Information 
 export function diagnosisLine({ closure }: Scene): HTMLElement | null {
   const words = whyWords(closure)
   if (!words) return null
-  return h(
-    'p',
-    { class: valveStyle.why, 'data-part': 'why' },
-    explained(words, typeset(closure.diagnosis?.sentence ?? '')),
-  )
+  const sentence = typeset(closure.diagnosis?.sentence ?? '')
+  return h('span', { class: valveStyle.why, 'data-part': 'why' }, explained(words, sentence))
 }
 
 /// "It leaks because the chordae of P2 are ruptured (Carpentier type II).": without the figures of its reasons, and without the

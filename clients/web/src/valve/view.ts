@@ -132,9 +132,8 @@ export class ValveView implements View {
   private tell(): void {
     const { before, valve } = this.workspace
     if (!before) return
-    const why = diagnosisLine(before)
     const drawn = this.tissue.of(before, valve?.reference, null)
-    this.headline.replaceChildren(headline(before, null, drawn), ...(why ? [why] : []))
+    this.headline.replaceChildren(headline(before, null, drawn, diagnosisLine(before)))
   }
 
   /// After the closed valve, which does not wait for it. A valve that cannot be opened has a closing alone.
