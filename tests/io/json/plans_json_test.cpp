@@ -72,6 +72,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
   const std::vector<std::string> expected = {"rank",
                                              "plan",
                                              "description",
+                                             "row",
                                              "leak",
                                              "estimates",
                                              "leak_mm2",

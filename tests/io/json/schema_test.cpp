@@ -262,10 +262,10 @@ TEST(PlanSchema, HasTheLimitsOfTheRepairSteps) {
 }
 
 TEST(PlanSchema, HasTheRingShapesOfTheCatalogue) {
-  const Json ring = schema_of("plan")["$defs"]["catalogue_ring"];
+  const Json shape = schema_of("plan")["$defs"]["catalogue_shape"];
   std::vector<std::string> shapes;
-  for (const RingShape& shape : kRingShapes) shapes.emplace_back(shape.name);
-  EXPECT_EQ(ring["properties"]["shape"]["enum"].get<std::vector<std::string>>(), shapes);
+  for (const RingShape& known : kRingShapes) shapes.emplace_back(known.name);
+  EXPECT_EQ(shape["enum"].get<std::vector<std::string>>(), shapes);
 }
 
 TEST(PlanSchema, AgreesWithTheReaderOnRanges) {

@@ -55,8 +55,6 @@ TEST_F(SubmissionsTest, ProblemsOfASearchPointIntoTheRequest) {
            {"step": "chordal_excision", "chorda": "none"}]}}})",
        {"/search/rules/fixed/steps/0", "/search/rules/fixed/steps/1/chorda",
         "/search/rules/forbidden/1"}},
-      {R"({"rules": {"forbidden": ["annuloplasty", "papillary_approximation", "neochorda"]}})",
-       {"/search/rules"}},
       {R"({"evaluations": 0})", {"/search/evaluations"}},
       {R"({"evaluations": 200000})", {"/search/evaluations"}},
       {R"({"rules": [], "weights": null})", {"/search/rules", "/search/weights"}}};
