@@ -33,7 +33,7 @@ class Schemas(ProgramTest):
         schema = self.document.resolved(schema)
         if "oneOf" in schema:
             return {value for variant in schema["oneOf"] for value in self.values(variant, field)}
-        said = schema["properties"][field]
+        said = self.document.resolved(schema["properties"][field])
         self.assertIn(field, schema["required"])
         return set(said.get("enum", [said.get("const")]))
 
