@@ -6,6 +6,7 @@
 
 #include "core/valve/problem_list.h"
 #include "io/exchange/companion_files.h"
+#include "io/exchange/landmark_files.h"
 #include "io/exchange/markups.h"
 #include "io/exchange/part_names.h"
 #include "io/image/label_map.h"

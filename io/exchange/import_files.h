@@ -46,14 +46,6 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
 /// Papillary tips. @param format "json": markups of Slicer, points labelled AL or PM; else a table.
 Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::string& format);
 
-/// Points labelled ALC, PMC, A (saddle peak) and P (middle of the posterior annulus), as coapt writes them, or in words; points of other labels
-/// are passed over. @param format "json": markups of Slicer; else a table with columns label, x, y, z.
-/// Errors: none has such a label, or two have the same.
-Expected<GivenLandmarks> landmarks_in(std::string_view text, const std::string& format);
-
-/// Whether a file of such points it is, and not of papillary tips: a commissure is among them.
-bool has_commissures(std::string_view text, const std::string& format);
-
 /// For import_valve(), with the decisions that reading took. Errors: all problems of all files, with pointers that begin with
 /// /leaflets/0, /annulus, /chordae, /tips, /landmarks, /labels, /label_numbers or /series.
 Expected<ImportSource> read_import_files(const ImportFiles& files,

@@ -384,19 +384,7 @@ TEST(ImportFiles, ArraysThatNothingReadsAreSaid) {
   EXPECT_EQ(one->decisions[0].value, "leaflets: 1 of 1 arrays not used: strain");
 }
 
-TEST(ImportFiles, LandmarksAreLabelledPointsOfATableOrOfSlicer) {
-  const auto table = landmarks_in("label,x,y,z\nALC,1,2,3\nSaddle peak,4,5,6\nAL,7,8,9\n", "csv");
-  ASSERT_TRUE(table);
-  EXPECT_EQ(table->anterolateral_commissure_mm, Vec3(1, 2, 3));
-  EXPECT_EQ(table->saddle_peak_mm, Vec3(4, 5, 6));
-  EXPECT_FALSE(table->mid_posterior_mm);
-  const std::string slicer =
-      write_markups({{MarkupType::Fiducial, "landmarks", {"PMC"}, Points::Constant(1, 3, 2.0)}});
-  const auto markups = landmarks_in(slicer, "json");
-  ASSERT_TRUE(markups);
-  EXPECT_EQ(markups->posteromedial_commissure_mm, Vec3(2, 2, 2));
-  EXPECT_FALSE(landmarks_in("label,x,y,z\nAL,1,2,3\n", "csv"));
-  EXPECT_FALSE(landmarks_in("A,1,2,3\nA,4,5,6\n", "csv"));
+TEST(ImportFiles, LandmarksHaveTheAxesOfTheirFile) {
   ImportFiles files = with_head("# SPACE=RAS\n");
   files.landmarks = {"l.csv", "# SPACE=RAS\nP,1,2,3\n"};
   const Expected<ImportSource> source = read_import_files(files);
