@@ -236,6 +236,7 @@ Expected<ImportedValve> make_import(const ImportRequest& asked, const ClosureBud
   options.budget = budget;
   Expected<ImportedValve> done = import_with_decisions(*std::move(source), options);
   if (done) {
+    if (asked.observed.empty()) return done;
     for (const Observation& seen : asked.observed) observe(done->valve.observed, seen);
     if (Errors errors = validate(done->valve); !errors.empty()) return errors;
     return done;

@@ -70,7 +70,8 @@ PlanEvaluations::PlanEvaluations(const Evaluator& evaluate, const Valve& valve,
       coordinates_(leaflet_coordinates(valve)),
       options_(std::move(options)),
       monitor_(monitor),
-      before_(evaluate(valve, nullptr)) {
+      before_(evaluate(valve, nullptr)),
+      leaflet_ratio_before_(plan_closure(before_.evaluation).leaflet_ratio) {
   context_ = {valve.tissue.thickness_mm, before().measure.tension_max_n, options_.weights};
   if (!trusted(before())) context_.tension_before_n = std::numeric_limits<double>::infinity();
   const Expected<Valve> fixed = apply_plan(valve, options_.fixed, coordinates_);
@@ -367,8 +368,7 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
       all.amounts += durability_terms(*lasts).amounts;
   OperationMerits merits = operation_of(plan);
   merits.avoidable_warnings +=
-      !tethered_ && raises_sam_risk(plan.closures.at(0).leaflet_ratio,
-                                    plan_closure(before_.evaluation).leaflet_ratio);
+      !tethered_ && raises_sam_risk(plan.closures.at(0).leaflet_ratio, leaflet_ratio_before_);
   return coapt::guide(all, mild, merits);
 }
 

@@ -174,6 +174,7 @@ class PlanEvaluations {
   PlanEvaluationOptions options_;
   SearchMonitor& monitor_;
   ClosedPlan before_;
+  double leaflet_ratio_before_;  // PlanClosure::leaflet_ratio
   bool tethered_ = false;
   CostContext context_;
 
