@@ -4,7 +4,8 @@ import { dataTable, figure } from '../charts/data_table'
 import type { ScatterPoint } from '../charts/scatter_chart'
 import { h } from '../dom'
 import { number } from '../format'
-import { outlasts, shortSteps } from './plan_table'
+import { FURTHEST_DISEASE_MM } from './figures'
+import { shortSteps } from './plan_table'
 import { rankedCost } from './price'
 import { placeOf, tradeInWords, tradeOfFront } from './trade'
 import parts from '../style/parts.module.css'
@@ -102,4 +103,9 @@ function known({ plans }: Plans): (row: FrontRow) => FrontRow {
 
 function letters(i: number): string {
   return (i < 26 ? '' : letters(Math.floor(i / 26) - 1)) + String.fromCharCode(65 + (i % 26))
+}
+
+/// "8.4", "≥ 12.0"
+function outlasts({ durability_mm }: Pick<FrontPlan, 'durability_mm'>): string {
+  return `${(durability_mm ?? 0) >= FURTHEST_DISEASE_MM ? '≥ ' : ''}${number(durability_mm)}`
 }

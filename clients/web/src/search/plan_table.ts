@@ -6,7 +6,7 @@ import { h, type Child } from '../dom'
 import { number, withUnit } from '../format'
 import { term } from '../help/term'
 import { describe } from '../repair/steps'
-import { FURTHEST_DISEASE_MM, isAcceptable, openingMm2, type Opened } from './figures'
+import { isAcceptable, openingMm2, type Opened } from './figures'
 import { costOf, type Wanted, type Weights } from './price'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -40,7 +40,7 @@ function columnsOf(plans: RankedPlan[]): Column[] {
 }
 
 /// Of all plans, if there is more than one.
-export function sharedWarnings(plans: RankedPlan[]): string[] {
+function sharedWarnings(plans: RankedPlan[]): string[] {
   const [first, ...others] = plans
   if (!first || others.length === 0) return []
   return first.warnings.filter((warning) => others.every(({ warnings }) => warnings.includes(warning)))
@@ -144,9 +144,4 @@ function moved(from: number, to: number): Node[] {
 function opening(of: Opened): string {
   const area_mm2 = openingMm2(of)
   return withUnit(area_mm2 === null ? null : area_mm2 / 100, 'cm²')
-}
-
-/// "8.4", "≥ 12.0"
-export function outlasts({ durability_mm }: Pick<RankedPlan, 'durability_mm'>): string {
-  return `${(durability_mm ?? 0) >= FURTHEST_DISEASE_MM ? '≥ ' : ''}${number(durability_mm)}`
 }
