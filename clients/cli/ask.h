@@ -24,8 +24,8 @@ struct AskedRequest {
   int failed = 0;  ///< an exit code; what is wrong was said on standard error
   Json request{};
   std::map<std::string, std::string> sources{};  ///< by pointers into the request: files
-  Context here{.limits = OperationLimits::
-                   unlimited()};  ///< of what is run here: knows the valve that the request names
+  /// Of what is run here: knows the valve that the request names.
+  Context here{.limits = OperationLimits::unlimited()};
 };
 
 /// Of a command's valve, mitral or not, and plan: "valve", and "plan" if there is one.

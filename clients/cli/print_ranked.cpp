@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -44,10 +43,6 @@ void print_words(std::ostream& out, const std::string& mark, const std::string& 
   out << line << '\n';
 }
 
-const std::string kHeads[] = {"residual leak (< 5 mm²)", "reserve", "opening, gradient", "effort"};
-constexpr std::string PlanRow::*kCells[] = {&PlanRow::leak, &PlanRow::reserve, &PlanRow::opening,
-                                            &PlanRow::effort};
-
 /// The rows of the table; `shared` gets the cells that all plans share.
 std::vector<PlanRow> rows_of(const Json& plans, PlanRow& shared) {
   std::vector<PlanRow> rows;
@@ -88,10 +83,7 @@ std::vector<std::string> shared_warnings(const Json& plans) {
 
 void print_shared(std::ostream& out, const PlanRow& shared,
                   const std::vector<std::string>& warnings) {
-  std::string words;
-  for (std::size_t i = 0; i < std::size(kCells); ++i)
-    if (const std::string& cell = shared.*kCells[i]; !cell.empty())
-      words += (words.empty() ? "" : "; ") + kHeads[i] + ": " + cell;
+  const std::string words = words_of(shared);
   if (words.empty() && warnings.empty()) return;
   print_words(out, "All plans: ", words);
   for (const std::string& warning : warnings) print_words(out, "      ! ", warning);
@@ -106,15 +98,15 @@ std::vector<std::string> table_lines(const Json& plans, const std::vector<PlanRo
     const std::string rank = std::to_string(plan["rank"].get<int>());
     lines.push_back(std::string(lines[0].size() - rank.size(), ' ') + rank);
   }
-  for (std::size_t i = 0; i < std::size(kCells); ++i) {
-    if (!(shared.*kCells[i]).empty()) continue;
-    int width = width_of(kHeads[i]);
-    for (const PlanRow& row : rows) width = std::max(width, width_of(row.*kCells[i]));
-    for (std::size_t line = 0; line < lines.size(); ++line) {
-      const std::string& cell = line == 0 ? kHeads[i] : rows[line - 1].*kCells[i];
-      lines[line] +=
-          "  " + cell + std::string(static_cast<std::size_t>(width - width_of(cell)), ' ');
-    }
+  for (const auto& [name, cell] : kPlanColumns) {
+    if (!(shared.*cell).empty()) continue;
+    std::vector<std::string> cells = {name};
+    for (const PlanRow& row : rows) cells.push_back(row.*cell);
+    int width = 0;
+    for (const std::string& one : cells) width = std::max(width, width_of(one));
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      lines[line] += "  " + cells[line] +
+                     std::string(static_cast<std::size_t>(width - width_of(cells[line])), ' ');
   }
   for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
   return lines;

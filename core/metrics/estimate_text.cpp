@@ -58,6 +58,10 @@ std::string known_tenths(double value, double error) {
   return known_digits(value, std::fmax(kTenths, error));
 }
 
+std::string known_tenths(const Estimate& estimate, double units) {
+  return known_tenths(units * estimate.value, units * half_width(estimate));
+}
+
 EstimateWords words_of(const Estimate& estimate) {
   const std::optional<ErrorCause> cause = widest(estimate);
   if (!cause) return {fixed(estimate.value, 1), "", ""};

@@ -22,6 +22,9 @@ std::string known_digits(double value, double error);
 /// To a tenth, or to fewer digits where the error leaves no more; without one to a tenth.
 std::string known_tenths(double value, double error);
 
+/// The same of an estimate by its widest error, in so many of its units.
+std::string known_tenths(const Estimate& estimate, double units = 1.0);
+
 /// What is said of an estimate by the widest part of its error that is known: "46", "16 to 78" and "with tissue error
 /// (5 to 95 %)"; of the computation's error "45.7 ± 2.1", no interval and "± numerical error".
 struct EstimateWords {

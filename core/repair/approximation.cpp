@@ -63,4 +63,9 @@ const PapillaryApproximation* suture_of(const RepairPlan& plan, Side side) {
   return nullptr;
 }
 
+int sutured_muscles(const RepairPlan& plan) {
+  return (suture_of(plan, Side::Anterolateral) != nullptr) +
+         (suture_of(plan, Side::Posteromedial) != nullptr);
+}
+
 }  // namespace coapt

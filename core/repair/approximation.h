@@ -27,4 +27,7 @@ void apply_approximation(const PapillaryApproximation& step, Valve& valve);
 /// The suture of the papillary muscle on that side, or null.
 const PapillaryApproximation* suture_of(const RepairPlan& plan, Side side);
 
+/// Papillary muscles that get a suture.
+int sutured_muscles(const RepairPlan& plan);
+
 }  // namespace coapt

@@ -1,8 +1,8 @@
 // What a surgeon asks, in that order: does it close, what is done, how it looks, which figures and how sure,
 // what to watch, what else there is.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <iterator>
 
 #include "core/closed/diagnosis_sentence.h"
 #include "core/repair/limits.h"
@@ -148,18 +148,13 @@ std::string undersizing(const RankedPlan& plan) {
   return ring ? fixed(plan.effort.sizes_below, 1) + " sizes" : "no ring";
 }
 
-/// In so many of its units, to the digits that are known.
-std::string known_figure(const Estimate& estimate, double units = 1.0) {
-  return known_tenths(units * estimate.value, units * half_width(estimate));
-}
-
 std::string opening_figure(const RankedPlan& plan) {
   if (!plan.opening) return "";
   if (!trusted(*plan.opening))
     return key_figure("Opening in diastole", "unknown",
                       plan.opening->behind_clip ? "with a clip" : "no equilibrium was reached");
-  return key_figure("Opening in diastole", known_figure(plan.estimates.opening_mm2, 0.01) + " cm²",
-                    "mean gradient " + known_figure(plan.estimates.gradient_mmhg) +
+  return key_figure("Opening in diastole", known_tenths(plan.estimates.opening_mm2, 0.01) + " cm²",
+                    "mean gradient " + known_tenths(plan.estimates.gradient_mmhg) +
                         " mmHg at rest; below 2.0 cm² is narrow");
 }
 
@@ -264,11 +259,11 @@ std::string care(const RankedPlan& plan) {
   return html + "</div>\n";
 }
 
-constexpr const char* kHeads[] = {"Residual leak<br>(&lt; 5 mm²)", "Reserve",
-                                  "Opening,<br>gradient", "Effort"};
-constexpr const char* kNames[] = {"residual leak", "reserve", "opening and gradient", "effort"};
-constexpr std::string PlanRow::*kCells[] = {&PlanRow::leak, &PlanRow::reserve, &PlanRow::opening,
-                                            &PlanRow::effort};
+std::string head_of(const PlanColumn& column) {
+  std::string head = column.name;
+  head[0] = static_cast<char>(std::toupper(head[0]));
+  return "<th scope=\"col\">" + escape_html(head) + "</th>";
+}
 
 std::string other_row(const PlanReport& report, std::size_t index, bool in_front,
                       const PlanRow& row, const PlanRow& shared) {
@@ -279,18 +274,9 @@ std::string other_row(const PlanReport& report, std::size_t index, bool in_front
           (is_told(report, plan) ? "<a href=\"#plan-" + rank + "\">" + rank + "</a>" : rank) +
           (plan.is_acceptable ? " <span class=\"badge\">acceptable</span>" : "") +
           "</th><td class=\"words\">" + escape_html(short_words(plan)) + "</td>";
-  for (const auto cell : kCells)
+  for (const auto& [name, cell] : kPlanColumns)
     if ((shared.*cell).empty()) html += "<td>" + escape_html(row.*cell) + "</td>";
   return html + "<td>" + std::to_string(plan.warnings.size()) + "</td></tr>\n";
-}
-
-/// What all plans share, once.
-std::string shared_words(const PlanRow& shared) {
-  std::string words;
-  for (std::size_t i = 0; i < std::size(kCells); ++i)
-    if (const std::string& cell = shared.*kCells[i]; !cell.empty())
-      words += (words.empty() ? "All plans: " : "; ") + std::string(kNames[i]) + ": " + cell;
-  return words.empty() ? "" : "<p class=\"small\">" + escape_html(words) + ".</p>\n";
 }
 
 std::string others(const PlanReport& report, std::size_t front) {
@@ -299,13 +285,14 @@ std::string others(const PlanReport& report, std::size_t front) {
   std::vector<PlanRow> rows;
   for (const RankedPlan& plan : plans) rows.push_back(row_of(plan));
   const PlanRow shared = take_shared(rows);
+  const std::string same = words_of(shared);
   std::string html =
-      "<div class=\"others\"><h3>Comparison with the other plans</h3>\n" + shared_words(shared) +
+      "<div class=\"others\"><h3>Comparison with the other plans</h3>\n" +
+      (same.empty() ? "" : "<p class=\"small\">All plans: " + escape_html(same) + ".</p>\n") +
       "<div class=\"scroll\"><table class=\"dense\"><thead><tr><th scope=\"col\">Rank</th><th "
       "scope=\"col\" class=\"words\">Operation</th>";
-  for (std::size_t i = 0; i < std::size(kCells); ++i)
-    if ((shared.*kCells[i]).empty())
-      html += "<th scope=\"col\">" + std::string(kHeads[i]) + "</th>";
+  for (const PlanColumn& column : kPlanColumns)
+    if ((shared.*column.cell).empty()) html += head_of(column);
   html += "<th scope=\"col\">Warnings</th></tr></thead><tbody>\n";
   const std::size_t first = front < kOthersShown ? kOthersShown : kOthersShown - 1;
   for (std::size_t i = 0; i < plans.size(); ++i)

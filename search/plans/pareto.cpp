@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/repair/approximation.h"
 #include "core/repair/describe.h"
 #include "search/plans/durability.h"
 #include "search/plans/trade_off.h"
@@ -71,11 +72,7 @@ std::optional<double> opening_of(const std::optional<PlanOpening>& opening) {
 /// Less is simpler, as where the rule ranks (plan_order.h): steps, then muscles, then whole sizes.
 double simplicity_of(const RankedPlan& plan) {
   constexpr double kPerStep = 1e4, kPerMuscle = 1e2;
-  const std::vector<RepairStep>& steps = plan.plan.steps;
-  const auto muscles = std::count_if(steps.begin(), steps.end(), [](const RepairStep& step) {
-    return std::holds_alternative<PapillaryApproximation>(step);
-  });
-  return kPerStep * plan.effort.steps + kPerMuscle * static_cast<double>(muscles) +
+  return kPerStep * plan.effort.steps + kPerMuscle * sutured_muscles(plan.plan) +
          std::round(plan.effort.sizes_below);
 }
 

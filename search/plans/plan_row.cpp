@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/metrics/estimate_text.h"
+#include "core/repair/approximation.h"
 #include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 
@@ -11,11 +12,6 @@ namespace coapt {
 namespace {
 
 const char* const kNotKnown = "not known";
-
-/// To the digits that are known, in so many of its units.
-std::string known_figure(const Estimate& estimate, double units = 1.0) {
-  return known_tenths(units * estimate.value, units * half_width(estimate));
-}
 
 /// Mean + sd over the region, or as planned where that was not closed.
 std::string leak_words(const RankedPlan& plan) {
@@ -33,14 +29,14 @@ std::string reserve_words(const RankedPlan& plan) {
   if (!plan.durability) return kNotKnown;
   if (plan.durability->expected_mm >= kFurthestCourse_mm)
     return "≥ " + shown(kFurthestCourse_mm) + " mm";
-  return known_figure(plan.estimates.durability_mm) + " mm";
+  return known_tenths(plan.estimates.durability_mm) + " mm";
 }
 
 std::string opening_words(const RankedPlan& plan) {
   if (!plan.opening || !trusted(*plan.opening)) return kNotKnown;
   constexpr double kCm2 = 0.01;  // of 1 mm2
-  return known_figure(plan.estimates.opening_mm2, kCm2) + " cm², " +
-         known_figure(plan.estimates.gradient_mmhg) + " mmHg";
+  return known_tenths(plan.estimates.opening_mm2, kCm2) + " cm², " +
+         known_tenths(plan.estimates.gradient_mmhg) + " mmHg";
 }
 
 std::string effort_words(const RankedPlan& plan) {
@@ -48,10 +44,8 @@ std::string effort_words(const RankedPlan& plan) {
   const std::vector<RepairStep>& steps = plan.plan.steps;
   if (steps.empty()) return "none";
   std::string words = counted(std::ssize(steps), "step");
-  const auto muscles = std::count_if(steps.begin(), steps.end(), [](const RepairStep& step) {
-    return std::holds_alternative<PapillaryApproximation>(step);
-  });
-  if (muscles > 0) words += ", " + counted(muscles, "muscle");
+  if (const int muscles = sutured_muscles(plan.plan); muscles > 0)
+    words += ", " + counted(muscles, "muscle");
   if (plan.effort.sizes_below >= kLeast)
     words += ", " + fixed(plan.effort.sizes_below, 1) + " sizes below";
   return words;
@@ -66,16 +60,23 @@ PlanRow row_of(const RankedPlan& plan) {
 PlanRow take_shared(std::vector<PlanRow>& rows) {
   PlanRow shared;
   if (rows.size() < 2) return shared;
-  for (std::string PlanRow::*cell :
-       {&PlanRow::leak, &PlanRow::reserve, &PlanRow::opening, &PlanRow::effort}) {
+  for (const auto& [name, cell] : kPlanColumns) {
     const std::string first = rows.front().*cell;
     if (!std::all_of(rows.begin(), rows.end(),
-                     [&](const PlanRow& row) { return row.*cell == first; }))
+                     [&, at = cell](const PlanRow& row) { return row.*at == first; }))
       continue;
     shared.*cell = first;
     for (PlanRow& row : rows) (row.*cell).clear();
   }
   return shared;
+}
+
+std::string words_of(const PlanRow& shared) {
+  std::string words;
+  for (const auto& [name, cell] : kPlanColumns)
+    if (const std::string& shown = shared.*cell; !shown.empty())
+      words += (words.empty() ? "" : "; ") + std::string(name) + ": " + shown;
+  return words;
 }
 
 }  // namespace coapt

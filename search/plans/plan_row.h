@@ -1,6 +1,7 @@
 // A ranked plan as a row of a table: what a surgeon compares, in words.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,23 @@ struct PlanRow {
       effort;  ///< "2 steps, 1 muscle, 0.5 sizes below": muscles with a suture, undersizing of the ring
 };
 
+/// A head of the table and its cells.
+struct PlanColumn {
+  const char* name;
+  std::string PlanRow::*cell;
+};
+inline constexpr std::array<PlanColumn, 4> kPlanColumns = {
+    {{"residual leak (< 5 mm²)", &PlanRow::leak},
+     {"reserve", &PlanRow::reserve},
+     {"opening, gradient", &PlanRow::opening},
+     {"effort", &PlanRow::effort}}};
+
 PlanRow row_of(const RankedPlan& plan);
 
 /// Moves the cells that two rows or more all share out of them: empty in the rows then, and else in the answer.
 PlanRow take_shared(std::vector<PlanRow>& rows);
+
+/// "reserve: 7.4 mm; effort: 1 step": the cells that are not empty.
+std::string words_of(const PlanRow& shared);
 
 }  // namespace coapt

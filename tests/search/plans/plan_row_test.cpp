@@ -66,6 +66,8 @@ TEST(PlanRow, CellsThatAllShareStandOnce) {
   EXPECT_EQ(shared.reserve, "7 mm");
   EXPECT_EQ(shared.opening, "");
   EXPECT_EQ(shared.effort, "1 step");
+  EXPECT_EQ(words_of(shared),
+            "residual leak (< 5 mm²): mild (96.0 %); reserve: 7 mm; effort: 1 step");
   EXPECT_EQ(rows[1].leak, "");
   EXPECT_EQ(rows[1].opening, "3.0 cm², 3.4 mmHg");
 }
