@@ -20,6 +20,12 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// "the chordae of P2 are ruptured" and "its edge rises up to 4 mm above the annulus".
+struct Reason {
+  std::string what;
+  std::string figures;  ///< may be empty
+};
+
 /// Their names; both sides of a commissure are one lesion: "the anterolateral commissure (A1 and P1)".
 std::vector<std::string> names_of(const std::vector<SegmentDiagnosis>& segments) {
   const auto has = [&](Segment wanted) {
@@ -58,7 +64,7 @@ std::string height_of(const SegmentDiagnosis& segment, bool is_alone) {
          " more than normal" + width;
 }
 
-std::string of_excess(const Diagnosis& diagnosis) {
+Reason of_excess(const Diagnosis& diagnosis) {
   const std::vector<SegmentDiagnosis> all = prolapsing(diagnosis);
   const auto flail = of_finding(all, SegmentFinding::Flail),
              others = of_finding(all, SegmentFinding::Prolapse);
@@ -71,42 +77,63 @@ std::string of_excess(const Diagnosis& diagnosis) {
   if (const std::vector<std::string> names = names_of(others); !names.empty())
     what += (what.empty() ? "" : ", ") + joined(names) +
             (names.size() == 1 ? " prolapses" : " prolapse");
-  return what + ": " + height_of(highest, all.size() == 1);
+  return {what, height_of(highest, all.size() == 1)};
 }
 
-std::string of_tethering(const Diagnosis& diagnosis) {
+Reason of_tethering(const Diagnosis& diagnosis) {
   const auto away = [&](int side) { return with_decimals(diagnosis.tip_to_trigone_mm[side], 0); };
   const std::string depth = diagnosis.tenting_height_mm >= 0.5
                                 ? ", and the leaflets coapt or end " +
                                       in_mm(diagnosis.tenting_height_mm) + " below the annulus"
                                 : "";
   if (!diagnosis.tethered_side)
-    return "both papillary muscles tether the leaflets: the tips lie " + away(0) + " and " +
-           away(1) + " mm from their trigones" + depth;
+    return {"both papillary muscles tether the leaflets",
+            "the tips lie " + away(0) + " and " + away(1) + " mm from their trigones" + depth};
   const int side = *diagnosis.tethered_side == Side::Anterolateral ? 0 : 1;
-  return std::string("the ") + to_string(*diagnosis.tethered_side) +
-         " papillary muscle tethers the leaflets: its tip lies " + away(side) +
-         " mm from its trigone, that of the other muscle " + away(1 - side) + " mm" + depth;
+  return {std::string("the ") + to_string(*diagnosis.tethered_side) +
+              " papillary muscle tethers the leaflets",
+          "its tip lies " + away(side) + " mm from its trigone, that of the other muscle " +
+              away(1 - side) + " mm" + depth};
 }
 
-std::string of_annulus(const Diagnosis& diagnosis) {
-  return "the annulus is too wide for the leaflets: " + with_decimals(diagnosis.ap_mm, 0) + " x " +
-         in_mm(diagnosis.transverse_mm) + ", a ratio of " +
-         with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) + " instead of 0.75";
+Reason of_annulus(const Diagnosis& diagnosis) {
+  return {"the annulus is too wide for the leaflets",
+          with_decimals(diagnosis.ap_mm, 0) + " x " + in_mm(diagnosis.transverse_mm) +
+              ", a ratio of " + with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
+              " instead of 0.75"};
 }
 
-std::string reason(const Diagnosis& diagnosis, CarpentierType type) {
+Reason reason_of(const Diagnosis& diagnosis, CarpentierType type) {
   switch (type) {
     case CarpentierType::I:
       return of_annulus(diagnosis);
     case CarpentierType::II:
       return of_excess(diagnosis);
     case CarpentierType::IIIa:
-      return "the leaflets hardly open";
+      return {"the leaflets hardly open", ""};
     case CarpentierType::IIIb:
       return of_tethering(diagnosis);
   }
-  return "";
+  return {};
+}
+
+/// " because the chordae of P2 are ruptured (Carpentier type II)." and what is doubtful.
+std::string because(const Diagnosis& diagnosis, bool with_figures) {
+  std::string text;
+  for (std::size_t i = 0; i < diagnosis.types.size(); ++i) {
+    const bool first = i == 0 && !diagnosis.competent;
+    const auto [what, figures] = reason_of(diagnosis, diagnosis.types[i]);
+    text += !first ? "; and " : diagnosis.type_sure ? " because " : ", probably because ";
+    text += what + (with_figures && !figures.empty() ? ": " + figures : "") + " (Carpentier type " +
+            to_string(diagnosis.types[i]) + ")";
+  }
+  text += ".";
+  if (diagnosis.not_ruled_out)
+    text += std::string(" Type ") + to_string(*diagnosis.not_ruled_out) + " is not ruled out.";
+  if (!diagnosis.competent_sure)
+    text += " The leak is too close to " + shown(kMildLeak_mm2) +
+            " mm² to tell whether the valve is competent.";
+  return text;
 }
 
 /// By the widest part of its error.
@@ -121,21 +148,12 @@ std::string leak_of(const Diagnosis& diagnosis, const Estimate& leak) {
 }  // namespace
 
 std::string sentence_of(const Diagnosis& diagnosis, const Estimate& leak) {
-  std::string text = diagnosis.competent ? "The valve is competent: it leaks " : "The valve leaks ";
-  text += leak_of(diagnosis, leak);
-  for (std::size_t i = 0; i < diagnosis.types.size(); ++i) {
-    const bool first = i == 0 && !diagnosis.competent;
-    text += !first ? "; and " : diagnosis.type_sure ? " because " : ", probably because ";
-    text += reason(diagnosis, diagnosis.types[i]) + " (Carpentier type " +
-            to_string(diagnosis.types[i]) + ")";
-  }
-  text += ".";
-  if (diagnosis.not_ruled_out)
-    text += std::string(" Type ") + to_string(*diagnosis.not_ruled_out) + " is not ruled out.";
-  if (!diagnosis.competent_sure)
-    text += " The leak is too close to " + shown(kMildLeak_mm2) +
-            " mm² to tell whether the valve is competent.";
-  return text;
+  return (diagnosis.competent ? "The valve is competent: it leaks " : "The valve leaks ") +
+         leak_of(diagnosis, leak) + because(diagnosis, true);
+}
+
+std::string summary_of(const Diagnosis& diagnosis) {
+  return (diagnosis.competent ? "The valve is competent" : "It leaks") + because(diagnosis, false);
 }
 
 }  // namespace coapt

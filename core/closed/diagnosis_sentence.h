@@ -14,4 +14,7 @@ namespace coapt {
 /// nothing the diagnosis's own
 std::string sentence_of(const Diagnosis& diagnosis, const Estimate& leak = {});
 
+/// Without figures, below a leak that is told already: "It leaks because the chordae of P2 are ruptured (Carpentier type II)."
+std::string summary_of(const Diagnosis& diagnosis);
+
 }  // namespace coapt

@@ -60,7 +60,8 @@ Json to_json(const std::optional<Diagnosis>& diagnosis, const Estimate& leak) {
       {"annulus",
        {{"ap_mm", of.ap_mm}, {"transverse_mm", of.transverse_mm}, {"dilated", of.annulus_dilated}}},
       {"thresholds", thresholds()},
-      {"sentence", sentence_of(of, leak)}};
+      {"sentence", sentence_of(of, leak)},
+      {"summary", summary_of(of)}};
 }
 
 Json diagnosis_document(const Diagnosis& diagnosis, const Valve& valve) {

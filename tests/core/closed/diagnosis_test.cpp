@@ -80,6 +80,9 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   EXPECT_NE(flail.find("(Carpentier type II)."), std::string::npos) << flail;
   EXPECT_EQ(sentence_of(of_preset("human-normal")).rfind("The valve is competent: it leaks ", 0),
             0U);
+  EXPECT_EQ(summary_of(of_preset("human-p2-prolapse")),
+            "It leaks because the chordae of P2 are ruptured (Carpentier type II).");
+  EXPECT_EQ(summary_of(of_preset("human-normal")), "The valve is competent.");
   Diagnosis doubtful;
   doubtful.leak_mm2 = 6.0;
   doubtful.leak_error_mm2 = 2.0;
@@ -94,6 +97,11 @@ TEST(Diagnosis, SaysInASentenceWhy) {
       "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for the "
       "leaflets: 33 x 36 mm, a ratio of 0.92 instead of 0.75 (Carpentier type I). Type IIIb is not "
       "ruled out. The leak is too close to 5 mm² to tell whether the valve is competent.");
+  EXPECT_EQ(
+      summary_of(doubtful),
+      "It leaks, probably because the annulus is too wide for the leaflets (Carpentier type I). "
+      "Type IIIb is not ruled out. The leak is too close to 5 mm² to tell whether the valve is "
+      "competent.");
   Estimate leak{6.0, Interval{4.0, 8.0}, Interval{2.0, 16.0}, {}};
   EXPECT_EQ(sentence_of(doubtful, leak)
                 .rfind("The valve leaks 6 mm² (2 to 16 mm² with tissue error), ", 0),

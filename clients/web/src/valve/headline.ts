@@ -37,19 +37,9 @@ export function headline(
 
 /// Why the valve leaks, in a line that tells its figures when pressed; nothing where its closure is not trusted.
 export function diagnosisLine({ closure }: Scene): HTMLElement | null {
-  const words = whyWords(closure)
-  if (!words) return null
-  const sentence = typeset(closure.diagnosis?.sentence ?? '')
-  return h('span', { class: valveStyle.why, 'data-part': 'why' }, explained(words, sentence))
-}
-
-/// "It leaks because the chordae of P2 are ruptured (Carpentier type II).": without the figures of its reasons, and without the
-/// leak, which stands above it with the wider of its errors.
-export function whyWords({ diagnosis }: Pick<Closure, 'diagnosis'>): string {
-  return typeset(diagnosis?.sentence ?? '')
-    .replace(/^The valve leaks [\d.]+(?: ± [\d.]+)? mm²(?: \([^)]*\))?/, 'It leaks')
-    .replace(/^(The valve is competent): it leaks [\d.]+(?: ± [\d.]+)? mm²(?: \([^)]*\))?/, '$1')
-    .replace(/: [^;:]*(?= \(Carpentier)/g, '')
+  if (!closure.diagnosis) return null
+  const { summary, sentence } = closure.diagnosis
+  return h('span', { class: valveStyle.why, 'data-part': 'why' }, explained(typeset(summary), typeset(sentence)))
 }
 
 /// From 5 to 95 %, where the tissue leaves the leak less known than mesh and closure do.

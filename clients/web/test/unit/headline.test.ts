@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { CERTAINTIES } from '../../src/api/calls'
 import type { Information, Measure } from '../../src/api/types'
-import { leakWords, whyWords, widerTissue } from '../../src/valve/headline'
+import { leakWords, widerTissue } from '../../src/valve/headline'
 import { narrowingWords } from '../../src/valve/information'
 import { certaintyWords, tradeWords } from '../../src/valve/certainty'
 
@@ -24,24 +24,6 @@ test('the leak carries the wider of its errors', () => {
 
 test('a repaired leak has the range of the repaired valve', () => {
   expect(leakWords(leaking(58, 6), leaking(2.13, 0.4), { low: 0.2, high: 7.4 })).toBe('58 → 2 mm² (0 to 7)')
-})
-
-test('why the valve leaks is told without its leak again', () => {
-  const why = (sentence: string) => whyWords({ diagnosis: { sentence } } as Parameters<typeof whyWords>[0])
-  expect(why('The valve leaks 96 ± 7 mm2 because the chordae of P2 are ruptured.')).toBe(
-    'It leaks because the chordae of P2 are ruptured.',
-  )
-  expect(
-    why(
-      'The valve leaks 40 mm² (13 to 93 mm² with tissue error) because P2 prolapses: its edge rises (Carpentier type II).',
-    ),
-  ).toBe('It leaks because P2 prolapses (Carpentier type II).')
-  expect(why('The valve leaks 5.1 ± 2 mm², probably because A2 prolapses.')).toBe(
-    'It leaks, probably because A2 prolapses.',
-  )
-  expect(why('The valve is competent: it leaks 0.1 ± 0.9 mm².')).toBe('The valve is competent.')
-  expect(why('Another sentence.')).toBe('Another sentence.')
-  expect(whyWords({})).toBe('')
 })
 
 test('what narrows the range is named where it tells much', () => {
