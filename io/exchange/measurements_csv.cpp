@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/closure/standing.h"
 #include "core/metrics/annulus.h"
@@ -14,15 +15,18 @@ namespace {
 
 class Table {
  public:
+  /// @param error NaN: not known
   void add(const std::string& metric, double value, const char* unit,
-           const std::string& definition = "") {
+           const std::string& definition = "",
+           double error = std::numeric_limits<double>::quiet_NaN()) {
     if (!std::isfinite(value)) return;
-    const std::string number =
-        with_decimals(std::abs(value) < 0.05 ? 0.0 : value, std::string(unit) == "mm/mm" ? 2 : 1);
-    text_ += quoted(metric) + ',' + number + ',' + unit + ',' + quoted(definition) + '\n';
+    const int decimals = std::string(unit) == "mm/mm" ? 2 : 1;
+    text_ += quoted(metric) + ',' + with_decimals(std::abs(value) < 0.05 ? 0.0 : value, decimals) +
+             ',' + unit + ',' + quoted(definition) + ',' +
+             (std::isfinite(error) ? with_decimals(error, decimals) : "") + '\n';
   }
   void remark(const std::string& metric, const std::string& definition) {
-    text_ += quoted(metric) + ",,," + quoted(definition) + '\n';
+    text_ += quoted(metric) + ",,," + quoted(definition) + ",\n";
   }
   std::string take() && { return std::move(text_); }
 
@@ -30,7 +34,7 @@ class Table {
   static std::string quoted(const std::string& field) {
     return field.find(',') == std::string::npos ? field : '"' + field + '"';
   }
-  std::string text_ = "Metric,Value,Unit,Definition\n";
+  std::string text_ = "Metric,Value,Unit,Definition,Error\n";
 };
 
 void add_annulus(const Valve& valve, const AnnulusMeasure& annulus, Table& table) {
@@ -81,7 +85,8 @@ std::string write_measurements_csv(const ClosedValve& exported) {
             "uses the leaflet point furthest from a surface through the annulus");
   add_coaptation(measure.coaptation, table);
   table.add("Regurgitant orifice area", measure.leak.area_mm2, "mm*mm",
-            "anatomic: the smallest area through which blood can flow back; not an EROA");
+            "anatomic: the smallest area through which blood can flow back; not an EROA",
+            measure.leak_error_mm2);
   return std::move(table).take();
 }
 

@@ -8,7 +8,7 @@
 namespace coapt {
 
 /// Columns Metric, Value, Unit as SlicerHeart's results table has them, then Definition: how coapt's differs,
-/// where it does. One decimal, as there. What coapt does not measure is left out (areas of the
+/// where it does, then Error, where it is known: that which nine of ten keep. One decimal, as there. What coapt does not measure is left out (areas of the
 /// annulus in three dimensions, tenting and billow volume, coaptation area, bending angles); so is what is not
 /// finite.
 std::string write_measurements_csv(const ClosedValve& exported);

@@ -45,7 +45,8 @@ TEST(Formats, WhatIsNotToBeTrustedSaysSoInEachOfThem) {
     EXPECT_FALSE(says_it(format, {.open = true})) << format.name << ", the open valve";
   }
   const std::string csv = *write_valve_file(exported, *format_named("csv"));
-  EXPECT_TRUE(csv.starts_with("Metric,Value,Unit,Definition\nClosure,,,\"" + doubt + "\"\n"));
+  EXPECT_TRUE(
+      csv.starts_with("Metric,Value,Unit,Definition,Error\nClosure,,,\"" + doubt + "\",\n"));
   const std::string stl = *write_valve_file(exported, *format_named("stl"));
   EXPECT_LT(stl.find(doubt), 80u - doubt.size()) << "in the header";
   const std::vector<NamedFile> folder = *write_slicerheart(exported);
@@ -76,9 +77,9 @@ TEST(Formats, MeasurementsOfAnEllipseAreItsOwn) {
   const Expected<std::string> csv = write_valve_file(still_valve(), *format_named("csv"));
   ASSERT_TRUE(csv);
   for (const char* row :
-       {"Metric,Value,Unit,Definition\n", "\nA-P distance,28.0,mm,\n",
-        "\nAL-PM distance,36.0,mm,\n", "\nALC-PMC distance,36.0,mm,\n",
-        "\nSphericity index (A-P / AL-PM),0.78,mm/mm,\n", "\nAnnulus height,0.0,mm,\n"})
+       {"Metric,Value,Unit,Definition,Error\n", "\nA-P distance,28.0,mm,,\n",
+        "\nAL-PM distance,36.0,mm,,\n", "\nALC-PMC distance,36.0,mm,,\n",
+        "\nSphericity index (A-P / AL-PM),0.78,mm/mm,,\n", "\nAnnulus height,0.0,mm,,\n"})
     EXPECT_NE(csv->find(row), std::string::npos) << row << *csv;
 }
 
