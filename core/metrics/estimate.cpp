@@ -62,7 +62,8 @@ std::optional<Interval> sampled_interval(const std::vector<double>& values,
                                                : std::count_if(weights.begin(), weights.end(),
                                                                [](double w) { return w > 0.0; });
   if (count < kLeastSamples) return std::nullopt;
-  return Interval{quantile(values, weights, 0.05), quantile(values, weights, 0.95)};
+  return Interval{predicted_quantile(values, weights, 0.05),
+                  predicted_quantile(values, weights, 0.95)};
 }
 
 }  // namespace coapt

@@ -17,20 +17,25 @@ inline double quantile(std::vector<double> values, double share) {
   return std::lerp(values[below], values[above], position - static_cast<double>(below));
 }
 
-/// The same of values that count by their weights, >= 0 and not all 0 (empty: all alike): between the values the middles of their
-/// weights are interpolated, so that equal weights give the quantile above.
-inline double quantile(const std::vector<double>& values, const std::vector<double>& weights,
-                       double share) {
-  if (weights.empty()) return quantile(values, share);
+/// What one more value of the same kind stays below with probability `share`, as far as so few reach: the i-th of n says i / (n + 1) (Weibull
+/// 1939), where the quantile above says (i - 1) / (n - 1) and makes intervals of few values too narrow. Between the middles of their weights
+/// values are interpolated; n is the number that would say as much if all weighed alike (Kish 1965).
+/// @param weights >= 0, not all 0; empty: all alike
+inline double predicted_quantile(const std::vector<double>& values,
+                                 const std::vector<double>& weights, double share) {
   std::vector<std::pair<double, double>> sorted;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (weights[i] > 0.0) sorted.emplace_back(values[i], weights[i]);
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double weight = weights.empty() ? 1.0 : weights[i];
+    if (weight == 0.0) continue;
+    sorted.emplace_back(values[i], weight);
+    sum += weight;
+    squares += weight * weight;
+  }
   std::sort(sorted.begin(), sorted.end());
-  double sum = 0.0;
-  for (const auto& [value, weight] : sorted) sum += weight;
-  const double first = 0.5 * sorted.front().second, last = 0.5 * sorted.back().second;
-  const double wanted = first + share * (sum - first - last);
-  double middle = first;
+  const double wanted = share * sum + (share - 0.5) * squares / sum;
+  double middle = 0.5 * sorted.front().second;
+  if (wanted <= middle) return sorted.front().first;
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i) {
     const double next = middle + 0.5 * (sorted[i].second + sorted[i + 1].second);
     if (wanted <= next)

@@ -159,11 +159,19 @@ std::string model_draws_csv(const ModelStudy& study) {
   std::string header;
   for (const ModelParameter& parameter : model_parameters())
     header += std::string(parameter.name) + ',';
-  CsvLines csv(header + "trusted,leak_mm2");
+  CsvLines csv(header +
+               "trusted,leak_mm2,unrepaired_leak_mm2,unrepaired_tenting_area_mm2,"
+               "unrepaired_widest_gap_mm,unrepaired_tenting_height_mm,unrepaired_coaptation_mm");
   for (const ModelStudyDraw& draw : study.draws) {
     for (std::size_t i = 0; i < draw.shares.size(); ++i)
       csv << model_factor(model_parameters()[i], draw.shares[i]);
     csv << draw.trusted << draw.leak_mm2;
+    if (draw.figures) {
+      for (const double figure : draw.figures->value) csv << figure;
+      csv << draw.closed_shape[0] << draw.closed_shape[2];
+    } else {
+      for (int i = 0; i < 5; ++i) csv << "";
+    }
     csv.end_line();
   }
   return csv.text();

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """How often intervals conditioned on what was observed of a valve hold its true repaired leak, on draws whose truth is known.
 
-  coapt study model VALVE --draws 256 -o before
-  coapt study model VALVE --draws 256 --plan PLAN -o after
-  coverage.py before/draws.csv after/draws.csv [before and after of more valves] [--share 0.25] [--repeats 8]
+  coapt study model VALVE --draws 64 --plan PLAN -o drawn
+  coverage.py drawn/draws.csv [of more valves] [--share 0.25] [--repeats 8]
+  coverage.py --information drawn/draws.csv
 
-Both studies have the same draws. Each draw is the truth once: its unrepaired leak is observed with an error of SHARE (at least 1 mm2), the
-other draws are weighed by that as search/conditioning.cpp does, and their 5 to 95 % interval of the repaired leak holds the
-true one or does not. Needs python3-numpy.
+Each draw is the truth once: its unrepaired leak is observed with an error of SHARE (at least 1 mm2), the other draws are
+weighed by that as search/conditioning.cpp does, and their 5 to 95 % interval of the repaired leak holds the true one or does
+not. --information prints what each measurement of `coapt study information` removes of the repaired leak's variance, by the
+same weights in place of a polynomial: the mean over truths of the variance that the weighed draws have. Needs python3-numpy.
 """
 
 import argparse
@@ -17,79 +18,109 @@ import numpy as np
 
 LEAST_SD_MM2 = 1.0
 LEAST_EFFECTIVE = 20.0
+LEAK, TENTING, GAP = "unrepaired_leak_mm2", "unrepaired_tenting_area_mm2", "unrepaired_widest_gap_mm"
+# Figures and their standard deviations, as in search/studies/information.cpp; of None the share of the leak.
+MEASUREMENTS = {
+    "regurgitant area to 25 %": {LEAK: None},
+    "widest gap to 0.5 mm": {GAP: 0.5},
+    "tenting area to 20 mm2": {TENTING: 20.0},
+    "regurgitant area, widest gap and tenting area": {LEAK: None, GAP: 0.5, TENTING: 20.0},
+    "closed shape (coapt fit)": {"unrepaired_tenting_height_mm": 0.3, TENTING: 5.0, "unrepaired_coaptation_mm": 0.3},
+}
 
 
-def leaks(path):
-    """NaN of draws that are not to be trusted."""
+def draws_of(path):
+    """Columns by name; only of draws that were closed before and after, and are to be trusted."""
     with open(path, encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    return np.array([float(row["leak_mm2"]) if row["trusted"] in ("1", "true") else np.nan for row in rows])
+        rows = [row for row in csv.DictReader(file) if row["trusted"] == "true" and row[LEAK]]
+    return {
+        name: np.array([float(row[name]) for row in rows])
+        for name in rows[0]
+        if name not in ("trusted",) and rows[0][name]
+    }
 
 
-def quantile(values, weights, share):
-    """As core/metrics/quantile.h."""
+def quantile(values, weights, share, counted=True):
+    """As predicted_quantile() of core/metrics/quantile.h; where it is not `counted` how few the values are, between first and last."""
     order = np.argsort(values)
-    values, weights = values[order], weights[order]
+    values, weights = values[order], weights[order] / weights.sum()
     kept = weights > 0.0
     values, weights = values[kept], weights[kept]
     middles = np.cumsum(weights) - 0.5 * weights
+    if counted:
+        return np.interp(share + (share - 0.5) * (weights**2).sum(), middles, values)
     return np.interp(middles[0] + share * (middles[-1] - middles[0]), middles, values)
 
 
-def observed_draws(before, after, share, repeats, noise):
-    """Of each draw and each time that it is observed: whether the interval holds it, its width, effective draws."""
-    known = np.isfinite(before) & np.isfinite(after)
-    before, after = before[known], after[known]
-    rows = []
-    for truth in range(len(before)):
-        others = np.arange(len(before)) != truth
-        sd = max(LEAST_SD_MM2, share * before[truth])
+def errors_of(draws, figures, share):
+    """Standard deviations with which each figure of each draw is seen."""
+    return {name: sd or np.maximum(LEAST_SD_MM2, share * draws[name]) for name, sd in figures.items()}
+
+
+def weights_of(draws, figures, truth, share, noise):
+    """Of all draws but the truth, whose figures are seen with noise."""
+    square = np.zeros(len(draws[LEAK]))
+    for name, sd in errors_of(draws, figures, share).items():
+        of_truth = sd if np.isscalar(sd) else sd[truth]
+        seen = draws[name][truth] + of_truth * noise.standard_normal()
+        square += ((draws[name] - seen) / of_truth) ** 2
+    square[truth] = np.inf
+    weights = np.exp(-0.5 * (square - square.min()))
+    return weights / weights.sum()
+
+
+def observed_draws(draws, share, repeats, noise):
+    """Of each draw and each time that it is observed: whether each of both intervals holds it, their widths, effective draws."""
+    leak, rows = draws["leak_mm2"], []
+    for truth in range(len(leak)):
         for _ in range(repeats):
-            seen = before[truth] + sd * noise.standard_normal()
-            square = ((before[others] - seen) / sd) ** 2
-            weights = np.exp(-0.5 * (square - square.min()))
-            weights /= weights.sum()
-            low, high = (quantile(after[others], weights, at) for at in (0.05, 0.95))
-            rows.append((low <= after[truth] <= high, high - low, 1.0 / (weights**2).sum()))
-    return rows
+            weights = weights_of(draws, {LEAK: None}, truth, share, noise)
+            row = [1.0 / (weights**2).sum()]
+            for counted in (True, False):
+                low, high = (quantile(leak, weights, at, counted) for at in (0.05, 0.95))
+                row += [low <= leak[truth] <= high, high - low]
+            rows.append(row)
+    return np.array(rows)
+
+
+def tell_information(draws, share, repeats, noise):
+    leak = draws["leak_mm2"]
+    for name, figures in MEASUREMENTS.items():
+        left = []
+        for truth in range(len(leak)):
+            for _ in range(repeats):
+                weights = weights_of(draws, figures, truth, share, noise)
+                left.append(weights @ (leak - weights @ leak) ** 2)
+        print(f"{name}: removes {100 * max(0.0, 1.0 - np.mean(left) / leak.var()):.0f} % of the variance")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument(
-        "tables", nargs="+", metavar="before after", help="draws.csv of a valve, unrepaired and repaired"
-    )
+    parser.add_argument("tables", nargs="+", metavar="draws.csv")
     parser.add_argument("--share", type=float, default=0.25)
     parser.add_argument("--repeats", type=int, default=8, help="observations of each draw")
+    parser.add_argument("--information", action="store_true")
     arguments = parser.parse_args()
-    if len(arguments.tables) % 2:
-        parser.error("each valve has two tables")
     noise = np.random.default_rng(1)
-    rows, per_valve = [], []
-    for before, after in zip(*[iter(map(leaks, arguments.tables))] * 2):
-        if len(before) != len(after):
-            parser.error("the studies have different numbers of draws")
-        own = observed_draws(before, after, arguments.share, arguments.repeats, noise)
-        rows += own
-        per_valve.append(np.mean([held for held, _, _ in own]))
-        alike = after[np.isfinite(before) & np.isfinite(after)]
-        low, high = (quantile(alike, np.ones(len(alike)), at) for at in (0.05, 0.95))
-        print(
-            f"{len(alike)} draws closed before and after; repaired leak {low:.1f} to {high:.1f} mm2 without an "
-            f"observation; {100 * per_valve[-1]:.0f} % of 90 % intervals hold the true leak"
-        )
-    held, widths, effective = map(np.array, zip(*rows))
-    held = held.astype(bool)
-    if len(per_valve) > 1:
-        print(
-            f"{len(per_valve)} valves: {100 * min(per_valve):.0f} to {100 * max(per_valve):.0f} % of their intervals hold"
-        )
-    enough = effective >= LEAST_EFFECTIVE
-    for name, which in (("all", np.full(len(held), True)), (f"{LEAST_EFFECTIVE:.0f} effective draws or more", enough)):
+    if arguments.information:
+        for path in arguments.tables:
+            tell_information(draws_of(path), arguments.share, arguments.repeats, noise)
+        return
+    of_valves = [observed_draws(draws_of(path), arguments.share, arguments.repeats, noise) for path in arguments.tables]
+    shares = [100 * rows[:, 1].mean() for rows in of_valves]
+    print(f"{len(of_valves)} valves: {min(shares):.0f} to {max(shares):.0f} % of their intervals hold the true leak")
+    rows = np.concatenate(of_valves)
+    effective = rows[:, 0]
+    for name, which in (
+        ("all", np.full(len(rows), True)),
+        (f"{LEAST_EFFECTIVE:.0f} effective draws or more", effective >= LEAST_EFFECTIVE),
+    ):
         if which.any():
+            _, held, width, plain, plain_width = rows[which].T
             print(
-                f"{name}: {which.sum()} observations, {100 * held[which].mean():.0f} % of 90 % intervals hold the true leak, "
-                f"median width {np.median(widths[which]):.1f} mm2, median {np.median(effective[which]):.0f} effective draws"
+                f"{name}: {which.sum()} observations, {100 * held.mean():.1f} % of 90 % intervals hold the true leak, median width "
+                f"{np.median(width):.1f} mm2 (by plain quantiles {100 * plain.mean():.1f} %, {np.median(plain_width):.1f} mm2), "
+                f"median {np.median(effective[which]):.0f} effective draws"
             )
 
 

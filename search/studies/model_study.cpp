@@ -44,8 +44,8 @@ ModelUncertainty uncertainty(double as_it_is_mm2, const std::vector<ModelStudyDr
       squares += weights[i] * std::pow(areas[i] - found.mean_mm2, 2);
     found.sd_mm2 = std::sqrt(squares);
   }
-  found.p5_mm2 = quantile(areas, weights, 0.05);
-  found.p95_mm2 = quantile(areas, weights, 0.95);
+  found.p5_mm2 = predicted_quantile(areas, weights, 0.05);
+  found.p95_mm2 = predicted_quantile(areas, weights, 0.95);
   return found;
 }
 

@@ -9,24 +9,32 @@
 namespace coapt {
 namespace {
 
-TEST(Quantile, OfEqualWeightsIsThatWithoutWeights) {
-  const std::vector<double> values = {7.0, 1.0, 4.0, 2.0, 9.0};
-  for (const double share : {0.0, 0.05, 0.3, 0.5, 0.95, 1.0})
-    EXPECT_NEAR(quantile(values, std::vector<double>(5, 0.2), share), quantile(values, share),
-                1e-12);
-  EXPECT_EQ(quantile(values, {}, 0.5), 4.0);
+TEST(Quantile, PredictedItHoldsOneMoreValueAsOftenAsItSays) {
+  // The i-th of n values drawn evenly from 0 to 1 lies at i / (n + 1) in the mean.
+  for (const int count : {19, 24, 63}) {
+    std::vector<double> values;
+    for (int i = 1; i <= count; ++i) values.push_back(i / (count + 1.0));
+    for (const double share : {0.05, 0.5, 0.95})
+      for (const std::vector<double>& weights :
+           {std::vector<double>{}, std::vector(values.size(), 0.3)})
+        EXPECT_NEAR(predicted_quantile(values, weights, share), share, 1e-12) << count;
+  }
 }
 
-TEST(Quantile, OfAValueWithoutWeightIsAsIfItWereNotThere) {
-  EXPECT_NEAR(quantile({1.0, 2.0, 3.0, 100.0}, {1.0, 1.0, 1.0, 0.0}, 0.95),
-              quantile({1.0, 2.0, 3.0}, 0.95), 1e-12);
-  EXPECT_EQ(quantile({1.0, 2.0, 3.0}, {0.0, 0.5, 0.0}, 0.05), 2.0);
+TEST(Quantile, PredictedItDoesNotReachBeyondTheValues) {
+  EXPECT_EQ(predicted_quantile({3.0, 1.0, 2.0}, {}, 0.05), 1.0);
+  EXPECT_EQ(predicted_quantile({3.0, 1.0, 2.0}, {}, 0.95), 3.0);
+}
+
+TEST(Quantile, AValueWithoutWeightIsAsIfItWereNotThere) {
+  EXPECT_EQ(predicted_quantile({1.0, 2.0, 3.0, 100.0}, {1.0, 1.0, 1.0, 0.0}, 0.95), 3.0);
+  EXPECT_EQ(predicted_quantile({1.0, 2.0, 3.0}, {0.0, 0.5, 0.0}, 0.05), 2.0);
 }
 
 TEST(Quantile, IsDrawnToTheHeavyValue) {
-  // Middles of the weights at 0.5, 3, 5.5 of 0.5 to 5.5: half-way lies at the middle value.
-  EXPECT_EQ(quantile({1.0, 2.0, 10.0}, {1.0, 4.0, 1.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({1.0, 2.0, 10.0}, {1.0, 4.0, 1.0}, 0.25), 1.5);
+  // Middles of the weights at 0.5, 3 and 5.5 of 6; a quarter of 6 is moved by a quarter of 18 / 6, for so few values.
+  EXPECT_EQ(predicted_quantile({1.0, 2.0, 10.0}, {1.0, 4.0, 1.0}, 0.5), 2.0);
+  EXPECT_DOUBLE_EQ(predicted_quantile({1.0, 2.0, 10.0}, {1.0, 4.0, 1.0}, 0.25), 1.1);
 }
 
 TEST(Estimate, OfAnAreaReachesFromZero) {
@@ -40,8 +48,8 @@ TEST(Estimate, OfFewSamplesIsNotKnown) {
   EXPECT_EQ(sampled_interval({1.0, 2.0, 3.0, 4.0, 5.0}, {1.0, 1.0, 1.0, 1.0, 0.0}), std::nullopt);
   const std::optional<Interval> of = sampled_interval({0.0, 1.0, 2.0, 3.0, 4.0});
   ASSERT_TRUE(of);
-  EXPECT_NEAR(of->low, 0.2, 1e-12);
-  EXPECT_NEAR(of->high, 3.8, 1e-12);
+  EXPECT_EQ(of->low, 0.0) << "of five values nine of ten are all";
+  EXPECT_EQ(of->high, 4.0);
 }
 
 TEST(Estimate, ShowsItsWidestPart) {

@@ -184,12 +184,16 @@ TEST(StudyCsv, DrawsOfTheModelHaveTheirFactors) {
   ModelStudy study;
   study.draws = {{std::vector<double>(kModelParameters, 0.5), true, 2.5},
                  {std::vector<double>(kModelParameters, 0.0), false, 4.0}};
+  study.draws[0].figures = ModelFigures{.value = {30.0, 150.5, 3.25}};
+  study.draws[0].closed_shape = {6.5, 150.5, 4.0};
   EXPECT_EQ(model_draws_csv(study),
             "bending rigidity,insertion zone,leaflet thickness,moduli below the transition,moduli "
             "above the transition,circumferential transition,radial transition,chordal "
-            "modulus,chordal length,trusted,leak_mm2\n"
-            "1,1,1,1,1,1,1,1,1,true,2.5\n"
-            "0.2,0.65,0.65,0.5,0.5,0.65,0.65,0.5,0.95,false,4\n");
+            "modulus,chordal length,trusted,leak_mm2,"
+            "unrepaired_leak_mm2,unrepaired_tenting_area_mm2,unrepaired_widest_gap_mm,"
+            "unrepaired_tenting_height_mm,unrepaired_coaptation_mm\n"
+            "1,1,1,1,1,1,1,1,1,true,2.5,30,150.5,3.25,6.5,4\n"
+            "0.2,0.65,0.65,0.5,0.5,0.65,0.65,0.5,0.95,false,4,,,,,\n");
 }
 
 }  // namespace
