@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -90,6 +91,7 @@ class Arena {
                       .open = Opener{open_plan}},
                      monitor_) {
     options_.region_points = std::min(options.region_points, kChosenBy);
+    options_.plans = std::numeric_limits<int>::max();
   }
 
   /// Those that are possible and leak mildly at most, as planned and then over the errors of execution.
@@ -293,6 +295,7 @@ Expected<IndicationRow> judge_indication(const KnownDisease& known,
   row.of_class = static_cast<int>(
       std::count_if(result->plans.begin(), result->plans.end(),
                     [&](const RankedPlan& plan) { return plan.of_class == first.of_class; }));
+  row.times_first = first.times_first;
   row.acceptable = first.acceptable_probability;
   if (first.durability) row.durability_mm = first.durability->expected_mm;
   row.warnings = joined(avoidable_of(first), " ");
@@ -307,15 +310,16 @@ Expected<IndicationRow> judge_indication(const KnownDisease& known,
 
 std::string indications_csv(const std::vector<IndicationRow>& rows) {
   std::ostringstream out;
-  out << "valve,type,diagnosed,sure,leak_mm2,first_plan,of_class,acceptable,durability_mm,warnings,"
+  out << "valve,type,diagnosed,sure,leak_mm2,first_plan,of_class,times_first,acceptable,durability_"
+         "mm,warnings,"
          "indicated,closures,seeds_same_class,challengers,challengers_acceptable,beat_first,"
          "ahead_of_first,ring_alone,ring_acceptable,ring_durability_mm\n";
   for (const IndicationRow& row : rows) {
     out << row.valve << ',' << row.type << ',' << row.diagnosed << ','
         << (row.sure ? "true" : "false") << ',' << number(row.leak_mm2, 1) << ",\""
-        << row.first_plan << "\"," << row.of_class << ',' << number(row.acceptable, 3) << ','
-        << number(row.durability_mm, 1) << ',' << row.warnings << ','
-        << (row.indicated ? "true" : "false") << ',' << row.closures << ','
+        << row.first_plan << "\"," << row.of_class << ',' << row.times_first << ','
+        << number(row.acceptable, 3) << ',' << number(row.durability_mm, 1) << ',' << row.warnings
+        << ',' << (row.indicated ? "true" : "false") << ',' << row.closures << ','
         << (row.same_class ? std::to_string(*row.same_class) : "");
     if (const auto& asked = row.challenge)
       out << ',' << asked->plans << ',' << asked->acceptable << ',' << asked->beat << ','

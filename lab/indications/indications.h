@@ -54,7 +54,8 @@ struct IndicationRow {
   std::string valve{}, type{}, diagnosed{}, first_plan{}, warnings{};
   bool sure = false, indicated = false;
   double leak_mm2 = 0.0;
-  int of_class = 0;  ///< reported plans that cannot be told apart from the first
+  int of_class = 0;     ///< reported plans that cannot be told apart from the first
+  int times_first = 0;  ///< of the settings of thresholds (plan_order.h) those that put it first
   double acceptable = std::numeric_limits<double>::quiet_NaN();
   double durability_mm = std::numeric_limits<double>::quiet_NaN();
   int closures = 0;

@@ -214,7 +214,7 @@ void successive_halving(ExplorationState& state) {
 
 void share_across_branches(ExplorationState& state) {
   std::vector<int> best = branches_by_cost(state);
-  if (std::ssize(best) > state.in.options.plans) best.resize(state.in.options.plans);
+  best.resize(std::min(best.size(), static_cast<std::size_t>(compared_plans(state.in.options))));
   std::vector<BranchPoint> points;
   for (const int from : best)
     for (int to = 0; to < std::ssize(state.branches); ++to) {

@@ -9,12 +9,9 @@
 namespace coapt {
 namespace {
 
-/// Of so many branches the best plans count at least: what a search climbs by is near the rule that ranks, not the rule.
-constexpr int kFewestEntries = 5;
-
-/// The entry cost is the worst of as many branches' best plans as are to be reported.
+/// The entry cost is the worst of as many branches' best plans as are compared: what a search climbs by is near the rule that ranks, not the rule.
 void update_entry_cost(ExplorationState& state) {
-  const int place = std::max(state.in.options.plans, kFewestEntries) - 1;
+  const int place = compared_plans(state.in.options) - 1;
   if (std::ssize(state.branches) <= place) return;
   std::vector<double> best;
   for (const BranchState& branch : state.branches) best.push_back(branch.best_scored);

@@ -81,10 +81,11 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
     // Nodes took plans for acceptable that are not so with other tissue or on the finer mesh; those that they put behind may be.
     finalists.insert(finalists.end(), others.begin(), others.end());
     judge();
-    result.plans.resize(std::min(result.plans.size(), static_cast<std::size_t>(options.plans)));
-    finalists.clear();
-    for (const RankedPlan& plan : result.plans) finalists.push_back(&evaluations.record(plan.plan));
-    if (options.evidence) close_evidence(evaluations, finalists);
+  }
+  if (options.evidence) {
+    std::vector<PlanRecord*> reported;
+    for (const RankedPlan& plan : result.plans) reported.push_back(&evaluations.record(plan.plan));
+    close_evidence(evaluations, reported);
     result.plans = rank(evaluations, finalists, options, fine, model);
   }
   if (map_nodes > options.region_points && !result.plans.empty()) {
@@ -226,10 +227,11 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   result.plans_tried = static_cast<int>(tried.size());
   if (!trading.empty() && monitor.search_stopped()) result.stop = SearchStop::TimeLimit;
 
-  const int share = result.ladder.back().skipped ? kFinalists : kFinalists - 1;
-  std::vector<PlanRecord*> finalists = best_plans(exploration, share * options.plans);
+  const int wanted = (result.ladder.back().skipped ? kFinalists : kFewerFinalists) +
+                     compared_plans(options) - kFewestCompared;
+  std::vector<PlanRecord*> finalists = best_plans(exploration, wanted);
   if (!trading.empty())
-    add_cheapest(pareto_front(evaluations, scored, kChosenBy), options.plans, evaluations,
+    add_cheapest(pareto_front(evaluations, scored, kChosenBy), kFrontFinalists, evaluations,
                  finalists);
   SearchOptions ordering = options;
   ordering.region_points = std::min(options.region_points, kBeforeTheRegion);

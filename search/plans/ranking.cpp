@@ -122,10 +122,11 @@ std::vector<PlanPlace> order_over(PlanEvaluations& evaluations,
   return order_of(merits, options.rank_by_price);
 }
 
-/// The first options.plans by the rule that ranks, as far as there are so many each another operation. @return the others
+/// The first compared_plans() by the rule that ranks, as far as there are so many each another operation. @return the others
 std::vector<PlanRecord*> keep_best(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans,
                                    int nodes, const SearchOptions& options) {
-  if (std::ssize(plans) <= options.plans) return {};
+  const int kept = compared_plans(options);
+  if (std::ssize(plans) <= kept) return {};
   if (nodes > 0) {
     std::vector<PlanRecord*> order;
     for (const PlanPlace& place : order_over(evaluations, plans, nodes, options))
@@ -136,14 +137,15 @@ std::vector<PlanRecord*> keep_best(PlanEvaluations& evaluations, std::vector<Pla
   std::stable_partition(plans.begin(), plans.end(), [&](const PlanRecord* plan) {
     return seen.insert(operation_key(plan->plan)).second;
   });
-  std::vector<PlanRecord*> others(plans.begin() + options.plans, plans.end());
-  plans.resize(options.plans);
+  std::vector<PlanRecord*> others(plans.begin() + kept, plans.end());
+  plans.resize(kept);
   return others;
 }
 
 /// Where some are to be dropped: not of plans of one's own.
 bool takes_simpler(const SearchOptions& options, const std::vector<PlanRecord*>& finalists) {
-  return options.evidence && !options.rank_by_price && std::ssize(finalists) > options.plans;
+  return options.evidence && !options.rank_by_price &&
+         std::ssize(finalists) > compared_plans(options);
 }
 
 /// Adds simpler versions of plans of the first class, and safer ones of those that are warned of, closed as far as these are. False if it was stopped.
@@ -260,8 +262,9 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
-  const int finalists = kFinalists * options.plans + kSimpler;
-  int most = finalists * before + options.plans * (options.region_points - before);
+  const int compared = compared_plans(options);
+  const int finalists = kFinalists + compared - kFewestCompared + kFrontFinalists + kSimpler;
+  int most = finalists * before + compared * (options.region_points - before);
   if (options.evidence)
     most += finalists * kDisease.count +
             options.plans * (kRemodelling.count + kAnterolateralAlone.count +
@@ -271,7 +274,7 @@ int ranking_closures(const SearchOptions& options) {
 
 int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*>& finalists) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
-  const int staying = std::min(options.plans, static_cast<int>(finalists.size()));
+  const int staying = std::min(compared_plans(options), static_cast<int>(finalists.size()));
   int most = staying * (options.region_points - before);
   std::vector<int> evidence;
   for (PlanRecord* plan : finalists) {
@@ -282,7 +285,8 @@ int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*
   if (!options.evidence) return most;
   if (takes_simpler(options, finalists)) most += kSimpler * (before + kDisease.count);
   std::sort(evidence.begin(), evidence.end(), std::greater<>());
-  return std::accumulate(evidence.begin(), evidence.begin() + staying, most);
+  return std::accumulate(evidence.begin(), evidence.begin() + std::min(options.plans, staying),
+                         most);
 }
 
 int evidence_closures(const RepairPlan& plan) {
@@ -329,7 +333,6 @@ Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*>
     if (nodes == options.region_points) others = dropped;
   }
   keep_best(evaluations, finalists, closed, options);
-  if (options.evidence) close_evidence(evaluations, finalists);
   return {finalists, others};
 }
 
@@ -401,15 +404,16 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
   }
   const std::vector<PlanPlace> order = order_of(merits, options.rank_by_price);
   const std::vector<int> first = times_first(merits);
+  const std::size_t reported = std::min(order.size(), static_cast<std::size_t>(options.plans));
   std::vector<RankedPlan> result;
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  for (std::size_t i = 0; i < reported; ++i) {
     const auto [index, of_class] = order[i];
     RankedPlan& plan = all[index];
     plan.rank = static_cast<int>(i) + 1;
     plan.of_class = of_class;
     if (!options.rank_by_price) plan.times_first = first[index];
     plan.simplest_of_class = i == 0 || order[i - 1].of_class != of_class;
-    const bool last = i + 1 == order.size();
+    const bool last = i + 1 == reported;
     plan.ties_with_next = !last && order[i + 1].of_class == of_class;
     plan.probability_outranks_next =
         last || nodes < 2 ? std::numeric_limits<double>::quiet_NaN()

@@ -14,10 +14,13 @@ namespace coapt {
 /// Nodes over which reported plans are taken from the finalists, and ordered.
 inline constexpr int kBeforeTheRegion = 65;
 
-/// Finalists for each reported plan, where 17 nodes rank badly; else one less. One more each may come from the front (pareto.h).
-inline constexpr int kFinalists = 3;
+/// Finalists of a search that compares kFewestCompared plans: where 17 nodes rank badly and where they rank well. A plan more that is compared is one more.
+inline constexpr int kFinalists = 9, kFewerFinalists = 6;
 
-/// Closures that close_finalists() takes at most: of any finalists, and of these, which have some already.
+/// Finalists that may come from the front (pareto.h) besides.
+inline constexpr int kFrontFinalists = 3;
+
+/// Closures that close_finalists() and close_evidence() take at most: of any finalists, and of these, which have some already.
 int ranking_closures(const SearchOptions& options);
 int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*>& finalists);
 
@@ -31,9 +34,8 @@ struct Finalists {
 };
 
 /// Closes the finalists at as many nodes as the ladder goes, joined by simpler and safer versions of the first class (simpler_plans.h), dropping the last on the
-/// way down to options.plans, of two that are the same in surgical terms the later one first; the evidence, if asked for: disease before the first are dropped, whose price then counts; for those that stay single sutures,
-/// independent errors, remodelling. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal
-/// ones.
+/// way down to compared_plans(), of two that are the same in surgical terms the later one first; if evidence is asked for, the course of disease before the first are
+/// dropped, whose price then counts. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal ones.
 Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
                           const SearchOptions& options, std::vector<LadderStep>& ladder);
 
@@ -52,7 +54,7 @@ std::vector<OtherAnchor> compare_anchors(PlanEvaluations& evaluations, const Pla
                                          const SearchOptions& options);
 
 /// Plans in the order of plan_order.h, over the nodes that all of them have closed, at most options.region_points. Whether a plan is
-/// acceptable is asked of the fine closures and of draws of the model, too; the cost is of its own mesh.
+/// acceptable is asked of the fine closures and of draws of the model, too; the cost is of its own mesh. @return the first options.plans
 std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                              const SearchOptions& options, const FineClosures& fine = {},
                              const ModelClosures& model = {});

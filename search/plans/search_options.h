@@ -1,6 +1,7 @@
 // What a caller may set for a search.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/closure/closure.h"
@@ -44,5 +45,12 @@ struct SearchOptions {
   CostWeights weights;
   ClosureOptions closure;
 };
+
+/// Plans that a search compares to the end, however few it reports: which comes first does not depend on that.
+inline constexpr int kFewestCompared = 5;
+
+inline int compared_plans(const SearchOptions& options) {
+  return std::max(options.plans, kFewestCompared);
+}
 
 }  // namespace coapt

@@ -45,16 +45,23 @@ std::string anchors_of(const RankedPlan& plan) {
 
 /// Which plans come first in other settings of the thresholds; empty if none does.
 std::string choice_of(const std::vector<RankedPlan>& plans) {
+  const auto settings = static_cast<int>(threshold_settings().size());
+  const int first = plans.front().times_first;
+  if (first == 0 || first == settings) return "";  // ordered otherwise, or by no threshold
+  int left = settings - first;
   std::string others;
-  for (const RankedPlan& plan : plans)
-    if (plan.rank > 1 && plan.times_first > 0)
-      others += (others.empty() ? "plan " : ", plan ") + std::to_string(plan.rank) + " in " +
-                std::to_string(plan.times_first);
-  if (others.empty()) return "";
+  for (const RankedPlan& plan : plans) {
+    if (plan.rank == 1 || plan.times_first == 0) continue;
+    others += (others.empty() ? "plan " : ", plan ") + std::to_string(plan.rank) + " in " +
+              std::to_string(plan.times_first);
+    left -= plan.times_first;
+  }
+  if (left > 0)
+    others += (others.empty() ? "a plan that is not listed in " : ", one that is not listed in ") +
+              std::to_string(left);
   return " The order depends on thresholds that are not known from measurements: plan 1 ranks "
          "first in " +
-         std::to_string(plans.front().times_first) + " of " +
-         std::to_string(threshold_settings().size()) + " settings, " + others + ".";
+         std::to_string(first) + " of " + std::to_string(settings) + " settings, " + others + ".";
 }
 
 }  // namespace

@@ -23,6 +23,27 @@ TEST(PlanSearch, GivesTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+TEST(PlanSearch, GivesTheSameFirstPlansHoweverFewAreReported) {
+  SearchOptions options = small_search();
+  options.evaluations = 300;
+  options.region_points = 65;
+  options.plans = 5;
+  const SearchResult five = searched(needs_suture, options);
+  ASSERT_EQ(five.plans.size(), 5u);
+  for (const int plans : {1, 2, 4}) {
+    options.plans = plans;
+    const SearchResult fewer = searched(needs_suture, options);
+    ASSERT_EQ(std::ssize(fewer.plans), plans);
+    EXPECT_EQ(fewer.closures, five.closures);
+    for (int i = 0; i < plans; ++i) {
+      EXPECT_EQ(plan_key(fewer.plans[i].plan), plan_key(five.plans[i].plan)) << plans;
+      EXPECT_EQ(fewer.plans[i].of_class, five.plans[i].of_class) << plans;
+      EXPECT_EQ(fewer.plans[i].cost, five.plans[i].cost) << plans;
+    }
+    EXPECT_FALSE(fewer.plans.back().ties_with_next) << "the last";
+  }
+}
+
 TEST(PlanSearch, RealClosuresGiveTheSameBitsForAnyNumberOfThreads) {
   SearchOptions options = small_search();
   options.evaluations = 12;

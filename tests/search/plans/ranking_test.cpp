@@ -41,7 +41,7 @@ TEST(Ranking, FinalistsClimbToTheRegionAndTheDearestAreDropped) {
     const int taken = ranking_closures(options_of(3, region), finalists);
     const auto stayed =
         close_finalists(scene.evaluations, finalists, options_of(3, region), ladder).kept;
-    ASSERT_EQ(stayed.size(), 3u) << region;
+    ASSERT_EQ(stayed.size(), 5u) << region << ": compared, of which 3 are reported";
     for (const PlanRecord* plan : stayed) EXPECT_EQ(region_nodes(*plan), region);
     EXPECT_EQ(scene.evaluations.closures() - before, taken);
     EXPECT_LE(taken, ranking_closures(options_of(3, region)));
@@ -58,7 +58,8 @@ TEST(Ranking, EvidenceIsClosedForAllAndForTheMusclesThatAreSutured) {
       &scene.evaluations.record(own_ring(1)), &scene.evaluations.record(al),
       &scene.evaluations.record(pm), &scene.evaluations.record(both(al, pm))};
   const int taken = ranking_closures(options, finalists);
-  close_finalists(scene.evaluations, finalists, options, ladder);
+  close_evidence(scene.evaluations,
+                 close_finalists(scene.evaluations, finalists, options, ladder).kept);
   EXPECT_EQ(scene.evaluations.closures() - 1, taken);
   EXPECT_EQ(finalists[0]->closures.size(), 2u + 24u + 24u + 64u);
   EXPECT_EQ(finalists[1]->closures.size(), 2u + 24u + 24u + 64u + 98u);
@@ -78,9 +79,9 @@ TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
   std::vector<LadderStep> ladder;
   const auto stayed =
       close_finalists(scene.evaluations, finalists_of(scene, 6), options_of(3, 9), ladder).kept;
-  ASSERT_EQ(stayed.size(), 3u);
+  ASSERT_GE(stayed.size(), 4u);
   const std::vector<RankedPlan> plans = rank(scene.evaluations, stayed, over_nodes(17));
-  ASSERT_EQ(plans.size(), 3u);
+  ASSERT_EQ(plans.size(), stayed.size());
   for (const RankedPlan& plan : plans) {
     EXPECT_GE(plan.region.closures, 3);
     EXPECT_EQ(plan.region.closures, plans[0].region.closures);
@@ -91,6 +92,7 @@ TEST(Ranking, OnRequestPlansComeInTheOrderOfTheirCosts) {
   EvaluationScene scene(leak_of([](const Valve&) { return 0.0; }));
   SearchOptions by_price = over_nodes(8);
   by_price.rank_by_price = true;
+  by_price.plans = 6;
   std::vector<PlanRecord*> plans = finalists_of(scene, 6);
   for (PlanRecord* plan : plans) scene.closed(plan->plan, 9);
   const std::vector<RankedPlan> ranked = rank(scene.evaluations, plans, by_price);

@@ -63,6 +63,14 @@ TEST(Verdict, CallsAPlanThatHangsOnThresholdsAChoice) {
   const std::string said = verdict_of({first, plan_of(2, kRing), other});
   EXPECT_NE(said.find("plan 1 ranks first in 18 of 27 settings, plan 3 in 9."), std::string::npos)
       << said;
+  first.times_first = 17;
+  const std::string more = verdict_of({first, plan_of(2, kRing), other});
+  EXPECT_NE(more.find("17 of 27 settings, plan 3 in 9, one that is not listed in 1."),
+            std::string::npos)
+      << more;
+  first.times_first = 26;
+  EXPECT_NE(verdict_of({first}).find("26 of 27 settings, a plan that is not listed in 1."),
+            std::string::npos);
   first.times_first = 27;
   other.times_first = 0;
   EXPECT_EQ(verdict_of({first, other}).find("thresholds"), std::string::npos);
