@@ -8,6 +8,7 @@ front-rise.csv          how much of what plans trade the search and its rivals h
 ecdf.csv                share of targets that the search and its rivals reach
 mesh.csv                error of leaks and shapes against the number of triangles
 uniqueness.csv          how unique the closed state is, over the leaflets' rigidity
+indications.csv         in how many settings of the thresholds the first plans of valves stay first
 verdicts.csv            leak and verdict of the same plans on three meshes
 twins.csv               fitted against true values of valves whose answers are known
 growth.csv              time of the parts of a closure against the number of triangles
@@ -24,6 +25,7 @@ import statistics
 import attacks
 import front_rise
 import growth
+import indications
 import mesh
 import twins
 import uniqueness
@@ -355,6 +357,7 @@ CHARTS = {
     "mesh": {"mesh": mesh.draw_errors},
     "growth": {"growth": growth.draw_growth},
     "uniqueness": {"uniqueness": uniqueness.draw_uniqueness},
+    "indications": {"indications": indications.draw_indications},
     "verdicts": {"verdicts": verdicts.draw_verdicts},
     "twins": {"twins": twins.draw_twins},
     "ruptures": {"ruptures": twins.draw_ruptures},
