@@ -57,9 +57,10 @@ check-packages: $(WEB)/node_modules
 
 test: scripts-test examples-test model-test asan-outer  ## build and run the product's tests: programs end to end, units, those that meet input under the sanitizers
 
+# SCRIPTS=service: those alone that speak of the service.
 scripts-test: build  ## the product's tests of whole programs, of the bits, and those that take long
 	@cmake/install_packages.sh docs test proxy
-	ctest --preset release $(CTEST) --label-exclude "^(lab|live|examples|$(MODEL_LABELS))$$"
+	ctest --preset release $(CTEST) $(addprefix --label-regex ,$(SCRIPTS)) --label-exclude "^(lab|live|examples|$(MODEL_LABELS))$$"
 
 examples-test: build  ## the Python that guides, docstrings and notebooks show
 	@cmake/install_packages.sh docs test

@@ -46,8 +46,9 @@ class Phase:
     compiles: bool = False
 
 
-def stages(units):
-    """The check of a change. `units`: folders of unit tests that it may break (units_of)."""
+def stages(units, of_service):
+    """The check of a change. `units`: folders of unit tests that it may break (units_of). `of_service`: of all programs it is the
+    service's alone."""
     scripts = (
         "tests/e2e",
         "tests/python",
@@ -82,7 +83,12 @@ def stages(units):
                 Phase("page", "web-test", rooms=("server",), paths=BUILD + page),
                 Phase("static", "static-test npm-test", rooms=("clients/engine",), paths=BUILD + page + node),
                 Phase("live", "live-test", rooms=("clients/live",), paths=BUILD),
-                Phase("scripts", "scripts-test", rooms=PRODUCT, paths=BUILD + scripts),
+                Phase(
+                    "scripts",
+                    "scripts-test" + (" SCRIPTS=service" if of_service else ""),
+                    rooms=PRODUCT,
+                    paths=BUILD + scripts,
+                ),
                 Phase("clients", "clients-check", paths=("server/openapi", "io/schema/", "tests/clients")),
                 # They hold what documents show, and nothing of the engine that no other test holds.
                 Phase("examples", "examples-test", paths=("clients/python", "tests/python", "examples/python")),
@@ -145,6 +151,16 @@ def units_of(files, rooms):
     changed = {folder for folder in folders for name in files if name.startswith(f"tests/{folder}/")}
     of_rooms = {folder for folder in folders if any(f"{room}/".startswith(f"{folder}/") for room in rooms)}
     return " ".join(sorted(changed | of_rooms)) or "none"
+
+
+def of_service(files, rooms):
+    """Whether no program but the service is made of `files` in `rooms`: room server alone, and the page's source and its tests."""
+    return rooms == {"server"} and all(
+        name.startswith(("server/", "tests/server/", "clients/web/", "docs/"))
+        and not name.startswith(BUILD)
+        or name.endswith(".md")
+        for name in files
+    )
 
 
 # Lines by which programs of tests tell how many they ran.
@@ -248,7 +264,7 @@ def main():
 
     files = None if arguments.nightly else changed_files(arguments.since or usual_base())
     rooms = affected_rooms(files or [])
-    plan = [[list(lane) for lane in stage] for stage in stages(units_of(files, rooms))]
+    plan = [[list(lane) for lane in stage] for stage in stages(units_of(files, rooms), of_service(files, rooms))]
     if arguments.nightly:
         plan.append([list(NIGHTLY)])
 
