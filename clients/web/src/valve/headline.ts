@@ -1,5 +1,5 @@
 // The leak as the one large number of a view, where it is, and how sure it is.
-import type { Closure, Information, Measure, Scene } from '../api/types'
+import type { Information, Measure, Scene } from '../api/types'
 import { h } from '../dom'
 import { joined, knownDigits, typeset, withError, withUnit } from '../format'
 import { explained, term } from '../help/term'
