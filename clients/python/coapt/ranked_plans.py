@@ -179,7 +179,7 @@ class RankedPlan(tables.Short):
         """Leak over errors of execution; empty: too little was closed.
 
         >>> [one.muscle for one in best.leak_maps.maps]
-        ['both']
+        ['both', 'posteromedial']
         """
         return LeakMaps(tuple(map(LeakMap.from_json, self.json["leak_map"])))
 
@@ -197,7 +197,7 @@ class RankedPlan(tables.Short):
         """Leak over the error of each step; of the first plan of a search alone, empty without evidence.
 
         >>> [one.error for one in best.tolerance]
-        ['ring_size']
+        ['ring_size', 'suture_length', 'suture_anchor']
         """
         return tuple(map(Tolerance.from_json, self.json.get("tolerance", ())))
 
