@@ -37,8 +37,10 @@ TEST(SearchLimits, ClosuresStayWithinWhatTheHelpOfTheCommandAddsUp) {
     options.evidence = evidence;
     const SearchResult result = searched(needs_suture, options);
     EXPECT_LE(result.evaluations, evaluations);
-    EXPECT_LE(result.closures, 1 + evaluations + 2 * plans * std::min(65, points) +
-                                   std::max(0, points - 65) + plans * (evidence ? 308 : 0));
+    const int finalists = evidence ? 12 + 8 : 12;
+    EXPECT_LE(result.closures, 1 + evaluations + finalists * std::min(65, points) +
+                                   std::max(0, points - 65) +
+                                   (evidence ? 24 * finalists + 284 * plans : 0));
     EXPECT_GE(result.closures, 1 + result.evaluations);
     EXPECT_EQ(result.closures_known, 0);
     for (const RankedPlan& plan : result.plans)
