@@ -160,7 +160,8 @@ void add_plan(Command parent, int& status) {
   command.footer(
       "Closure budget: 1 for the unrepaired valve; up to --evaluations for the search and "
       "--front-share\ntimes as many for trade-offs (from 82 on); in the ranking, up to 65, plus 24 "
-      "for progression, for\neach of 12 finalists (one more for each of --plans above 5) and up to 8 "
+      "for progression, for\neach of 12 finalists (one more for each of --plans above 5) and up to "
+      "8 "
       "simpler versions of them; the\nother nodes of the region (--region-points) for the best "
       "plan. Each of --plans takes 88 to 284 more\nfor errors of single sutures, independent "
       "errors of execution and further remodelling. The best five\nor more and the unrepaired "
