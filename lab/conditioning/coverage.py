@@ -52,18 +52,13 @@ def quantile(values, weights, share, counted=True):
     return np.interp(middles[0] + share * (middles[-1] - middles[0]), middles, values)
 
 
-def errors_of(draws, figures, share):
-    """Standard deviations with which each figure of each draw is seen."""
-    return {name: sd or np.maximum(LEAST_SD_MM2, share * draws[name]) for name, sd in figures.items()}
-
-
 def weights_of(draws, figures, truth, share, noise):
     """Of all draws but the truth, whose figures are seen with noise."""
     square = np.zeros(len(draws[LEAK]))
-    for name, sd in errors_of(draws, figures, share).items():
-        of_truth = sd if np.isscalar(sd) else sd[truth]
-        seen = draws[name][truth] + of_truth * noise.standard_normal()
-        square += ((draws[name] - seen) / of_truth) ** 2
+    for name, sd in figures.items():
+        sd = sd or max(LEAST_SD_MM2, share * draws[name][truth])
+        seen = draws[name][truth] + sd * noise.standard_normal()
+        square += ((draws[name] - seen) / sd) ** 2
     square[truth] = np.inf
     weights = np.exp(-0.5 * (square - square.min()))
     return weights / weights.sum()
