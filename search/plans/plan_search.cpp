@@ -82,16 +82,12 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
     finalists.insert(finalists.end(), others.begin(), others.end());
     judge();
   }
-  if (options.evidence) {
-    std::vector<PlanRecord*> reported;
-    for (const RankedPlan& plan : result.plans) reported.push_back(&evaluations.record(plan.plan));
-    close_evidence(evaluations, reported);
-    result.plans = rank(evaluations, finalists, options, fine, model);
-  }
-  if (map_nodes > options.region_points && !result.plans.empty()) {
-    close_map(evaluations, evaluations.record(result.plans.front().plan), map_nodes);
-    result.plans = rank(evaluations, finalists, options, fine, model);
-  }
+  std::vector<PlanRecord*> reported;
+  for (const RankedPlan& plan : result.plans) reported.push_back(&evaluations.record(plan.plan));
+  const bool maps = map_nodes > options.region_points && !reported.empty();
+  if (options.evidence) close_evidence(evaluations, reported);
+  if (maps) close_map(evaluations, *reported.front(), map_nodes);
+  if (options.evidence || maps) result.plans = rank(evaluations, finalists, options, fine, model);
   if (options.evidence)
     for (RankedPlan& plan : result.plans)
       plan.starts = check_starts(evaluations, evaluations.record(plan.plan), plan.region.closures);
@@ -227,9 +223,8 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   result.plans_tried = static_cast<int>(tried.size());
   if (!trading.empty() && monitor.search_stopped()) result.stop = SearchStop::TimeLimit;
 
-  const int wanted = (result.ladder.back().skipped ? kFinalists : kFewerFinalists) +
-                     compared_plans(options) - kFewestCompared;
-  std::vector<PlanRecord*> finalists = best_plans(exploration, wanted);
+  std::vector<PlanRecord*> finalists =
+      best_plans(exploration, wanted_finalists(options, result.ladder.back().skipped));
   if (!trading.empty())
     add_cheapest(pareto_front(evaluations, scored, kChosenBy), kFrontFinalists, evaluations,
                  finalists);

@@ -263,7 +263,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
   const int compared = compared_plans(options);
-  const int finalists = kFinalists + compared - kFewestCompared + kFrontFinalists + kSimpler;
+  const int finalists = wanted_finalists(options, true) + kFrontFinalists + kSimpler;
   int most = finalists * before + compared * (options.region_points - before);
   if (options.evidence)
     most += finalists * kDisease.count +

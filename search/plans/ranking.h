@@ -14,8 +14,14 @@ namespace coapt {
 /// Nodes over which reported plans are taken from the finalists, and ordered.
 inline constexpr int kBeforeTheRegion = 65;
 
-/// Finalists of a search that compares kFewestCompared plans: where 17 nodes rank badly and where they rank well. A plan more that is compared is one more.
+/// Finalists of a search that compares kFewestCompared plans: where 17 nodes rank badly and where they rank well.
 inline constexpr int kFinalists = 9, kFewerFinalists = 6;
+
+/// As many, and one more for each plan more that is compared.
+inline int wanted_finalists(const SearchOptions& options, bool nodes_rank_badly) {
+  return (nodes_rank_badly ? kFinalists : kFewerFinalists) + compared_plans(options) -
+         kFewestCompared;
+}
 
 /// Finalists that may come from the front (pareto.h) besides.
 inline constexpr int kFrontFinalists = 3;
