@@ -73,6 +73,17 @@ void draw_annulus_in(const RepairPlan& plan, Valve& valve) {
   if (percent > 0.0) grow_annulus(-0.01 * percent * ap_diameter_mm(valve), valve);
 }
 
+EdgeToEdge commissural_closure(const Valve& valve, const LeafletCoordinates& coordinates, Side side,
+                               double width_mm) {
+  const bool first = side == Side::Anterolateral;
+  const double beside = first ? kEdgeAlong.min : kEdgeAlong.max;
+  const double half = 0.5 * width_mm *
+                      std::max(along_per_mm(valve, coordinates, Leaflet::Anterior, beside),
+                               along_per_mm(valve, coordinates, Leaflet::Posterior, beside));
+  return {EdgeDevice::Stitch, std::clamp(first ? half : 1.0 - half, kEdgeAlong.min, kEdgeAlong.max),
+          width_mm};
+}
+
 void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordinates,
                         Valve& valve) {
   const std::string id = "edge-to-edge-" + std::to_string(next_number(valve)) + '-';

@@ -25,6 +25,10 @@ std::string text_key(const EdgeToEdge& step);
 /// Draws the annulus in as the clips of a plan do; without clips or behind a ring nothing.
 void draw_annulus_in(const RepairPlan& plan, Valve& valve);
 
+/// A stitch that closes a commissure: over `width_mm` of both free edges, from where the leaflets meet.
+EdgeToEdge commissural_closure(const Valve& valve, const LeafletCoordinates& coordinates, Side side,
+                               double width_mm);
+
 /// Appends its ties, called "edge-to-edge-1-1" and so on, the first number that is free.
 void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordinates,
                         Valve& valve);

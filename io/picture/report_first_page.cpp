@@ -152,7 +152,7 @@ std::string opening_figure(const RankedPlan& plan) {
   if (!plan.opening) return "";
   if (!trusted(*plan.opening))
     return key_figure("Opening in diastole", "unknown",
-                      plan.opening->behind_clip ? "with a clip" : "no equilibrium was reached");
+                      plan.opening->two_orifices ? "two orifices" : "no equilibrium was reached");
   return key_figure("Opening in diastole", known_tenths(plan.estimates.opening_mm2, 0.01) + " cm²",
                     "mean gradient " + known_tenths(plan.estimates.gradient_mmhg) +
                         " mmHg at rest; below 2.0 cm² is narrow");

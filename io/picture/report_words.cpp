@@ -153,7 +153,7 @@ StepWords words(const Operated& operated, const EdgeToEdge& step, std::size_t) {
               mm(step.width_mm) + " wide, from " +
               place_words(valve, {Leaflet::Anterior, step.along, 1.0}) + " to " +
               place_words(valve, {Leaflet::Posterior, step.along, 1.0}),
-          "Two orifices remain in diastole; their area is not computed."};
+          ""};
 }
 
 StepWords words(const Operated& operated, const LeafletResection& step, std::size_t) {

@@ -14,8 +14,9 @@ namespace coapt {
 
 enum class ChordalChoice { None, CutStruts, Shorten, Transfer };
 
-/// At a lesion. Triangular, Quadrangular (sliding): resections of the posterior leaflet. Clip: edge to edge.
-enum class LeafletChoice { None, Triangular, Quadrangular, Clip };
+/// At a lesion. Triangular, Quadrangular (sliding): resections of the posterior leaflet. Clip: edge to edge. CommissuralClosure: a
+/// stitch at each commissure of which both scallops prolapse.
+enum class LeafletChoice { None, Triangular, Quadrangular, Clip, CommissuralClosure };
 
 /// The discrete decisions of a plan; what is fixed is not among them.
 struct Choice {
@@ -33,7 +34,7 @@ enum class ParameterOf {
   NeochordaPlace,  ///< of `along`, from the usual place of neochorda `index`
   NeochordaLength,  ///< mm, of neochorda `index`
   Shortening,       ///< mm
-  LeafletWidth,     ///< mm, of a resection or a clip
+  LeafletWidth,     ///< mm, of a resection, a clip or a stitch
 };
 
 /// Values lower + k x step for k in [0, count).

@@ -129,6 +129,15 @@ std::vector<Segment> take_run(std::set<Segment>& left, Segment segment) {
   return run;
 }
 
+/// The commissure beside a run of segments that is one scallop there.
+std::optional<Side> commissure_of(const std::vector<Segment>& run) {
+  if (run == std::vector{Segment::A1} || run == std::vector{Segment::P1})
+    return Side::Anterolateral;
+  if (run == std::vector{Segment::A3} || run == std::vector{Segment::P3})
+    return Side::Posteromedial;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& coordinates) {
@@ -166,8 +175,13 @@ std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& c
     const double first = middle_of(valve, coordinates, run.front());
     const double last = middle_of(valve, coordinates, run.back());
     lesions.push_back({leaflet, 0.5 * (first + last), 0.5 * (last - first),
-                       usual_length_mm(valve, coordinates, leaflet)});
+                       usual_length_mm(valve, coordinates, leaflet), commissure_of(run)});
   }
+  for (Lesion& lesion : lesions)
+    if (std::count_if(lesions.begin(), lesions.end(), [&](const Lesion& other) {
+          return other.commissure == lesion.commissure;
+        }) < 2)
+      lesion.commissure.reset();
   return lesions;
 }
 

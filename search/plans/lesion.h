@@ -18,6 +18,8 @@ struct Lesion {
   /// Mean of the intact marginal chordae of that leaflet, from head to leaflet (of all, if it has
   /// none; 20, if there are none at all).
   double length_mm = 0.0;
+  /// Whose two scallops prolapse, and neither one's neighbour: half of a commissural lesion.
+  std::optional<Side> commissure = {};
 };
 
 /// That ruptured marginal chordae held, on the leaflet with more of them (the posterior one of as many). None is ruptured: nothing.

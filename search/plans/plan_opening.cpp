@@ -15,16 +15,16 @@ constexpr const char* kGradientSource =
 }  // namespace
 
 bool trusted(const PlanOpening& opening) {
-  return opening.status == ClosureStatus::Converged && !opening.crossing && !opening.behind_clip &&
+  return opening.status == ClosureStatus::Converged && !opening.crossing && !opening.two_orifices &&
          std::isfinite(opening.measure.opening_area_mm2) &&
          std::isfinite(opening.measure.gradient_mmhg);
 }
 
 PlanOpening open_plan(const Valve& repaired) {
-  if (!repaired.ties.empty()) return {.behind_clip = true};
   const Expected<OpenedValve> opened = open_valve(repaired);
   if (!opened) return {ClosureStatus::Diverged, false, {}};
-  return {opened->closure.status, opened->closure.crossing, opened->measure};
+  const bool two_orifices = !repaired.ties.empty() && opened->leak.openings.size() > 1;
+  return {opened->closure.status, opened->closure.crossing, opened->measure, two_orifices};
 }
 
 CostTerms opening_terms(const PlanOpening& opening) {
@@ -42,8 +42,8 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
   if (!opening || !trusted(*opening)) {
     area.finding = gradient.finding =
         !opening ? "the repaired valve was not opened"
-        : opening->behind_clip
-            ? kUnknownBehindClip
+        : opening->two_orifices
+            ? kUnknownOpening
             : "the open valve did not reach equilibrium without crossing leaflets";
     return {area, gradient};
   }

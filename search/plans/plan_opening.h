@@ -17,10 +17,10 @@ struct PlanOpening {
   ClosureStatus status = ClosureStatus::Converged;
   bool crossing = false;
   OpeningMeasure measure{};
-  bool behind_clip = false;  ///< the valve has ties, and what is open beside them is not known
+  bool two_orifices = false;  ///< ties leave two, of which too little is known
 };
 
-/// Came to rest, uncrossed, without ties, its areas numbers.
+/// Came to rest, uncrossed, with one orifice, its areas numbers.
 bool trusted(const PlanOpening& opening);
 
 /// Opens a repaired valve. Called from several threads at once.
@@ -29,7 +29,8 @@ using Opener = std::function<PlanOpening(const Valve&)>;
 /// At rest, by open_valve()'s own options.
 PlanOpening open_plan(const Valve& repaired);
 
-inline constexpr const char* kUnknownBehindClip = "the opening is unknown with a clip or stitch";
+inline constexpr const char* kUnknownOpening =
+    "the opening is not known where a clip or stitch leaves two orifices";
 inline constexpr double kUsualGradient_mmhg = 3.0, kStenosis_mmhg = 5.0;
 inline constexpr double kStenosis_mm2 = 150.0, kNarrow_mm2 = 200.0;  ///< rejected, warned of
 

@@ -6,6 +6,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "core/repair/approximation.h"
+#include "core/repair/edge_to_edge.h"
 #include "core/repair/limits.h"
 #include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
@@ -28,9 +29,9 @@ constexpr double kFirstAnchorPlace = 0.15;     // about the trigone
 constexpr Range kShortenings_mm = {1.0, 6.0};
 // Bases of wedges are 10 to 15 mm as a rule, clips 4 to 6 mm wide.
 constexpr Range kTriangularWidths_mm = {6.0, 16.0}, kQuadrangularWidths_mm = {8.0, 20.0},
-                kClipWidths_mm = {4.0, 10.0};
+                kClipWidths_mm = {4.0, 10.0}, kCommissuralWidths_mm = {4.0, 12.0};
 constexpr double kLeafletWidthStep_mm = 2.0;
-constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0;
+constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0, kFirstCommissural_mm = 8.0;
 constexpr double kDegenerativeRing =
     0.75;                      // AP over transverse; shorter rings are made for tethered leaflets
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
@@ -47,6 +48,16 @@ int step_count(const Choice& choice) {
 
 bool is_resection(LeafletChoice leaflet) {
   return leaflet == LeafletChoice::Triangular || leaflet == LeafletChoice::Quadrangular;
+}
+
+/// Commissures of which both scallops prolapse.
+std::vector<Side> commissures_of(const std::vector<Lesion>& lesions) {
+  std::vector<Side> sides;
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial})
+    if (std::any_of(lesions.begin(), lesions.end(),
+                    [side](const Lesion& lesion) { return lesion.commissure == side; }))
+      sides.push_back(side);
+  return sides;
 }
 
 template <class Step>
@@ -310,6 +321,11 @@ std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
     cut_.push_back({"clip", why_no_lesion()});
   else
     offered.push_back(LeafletChoice::Clip);
+  if (commissures_of(lesions_).empty() || has_step<EdgeToEdge>(rules_.fixed)) return offered;
+  if (is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Stitch)))
+    cut_.push_back({"closure of a commissure", "forbidden"});
+  else
+    offered.push_back(LeafletChoice::CommissuralClosure);
   return offered;
 }
 
@@ -321,11 +337,15 @@ const Lesion* PlanSpace::posterior_lesion() const {
   return found == lesions_.end() ? nullptr : &*found;
 }
 
-/// Lesions that are left to neochordae: a resection mends its own.
+/// Lesions that are left to neochordae: a resection and the closure of commissures mend their own.
 std::vector<const Lesion*> PlanSpace::held_by_neochordae(LeafletChoice leaflet) const {
   std::vector<const Lesion*> held;
-  for (const Lesion& lesion : lesions_)
-    if (!is_resection(leaflet) || &lesion != posterior_lesion()) held.push_back(&lesion);
+  for (const Lesion& lesion : lesions_) {
+    const bool mended = leaflet == LeafletChoice::CommissuralClosure
+                            ? lesion.commissure.has_value()
+                            : is_resection(leaflet) && &lesion == posterior_lesion();
+    if (!mended) held.push_back(&lesion);
+  }
   return held;
 }
 
@@ -334,7 +354,8 @@ bool PlanSpace::mends_rightly(const Choice& choice, bool all) const {
   const bool others = !held_by_neochordae(choice.leaflet).empty();
   if (choice.neochordae > 0 && !others) return false;
   if (!all) return true;
-  if (is_resection(choice.leaflet)) return !others || choice.neochordae > 0;
+  if (is_resection(choice.leaflet) || choice.leaflet == LeafletChoice::CommissuralClosure)
+    return !others || choice.neochordae > 0;
   return choice.neochordae > 0 || choice.leaflet != LeafletChoice::None ||
          choice.chordal != ChordalChoice::None;
 }
@@ -356,6 +377,10 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
     case LeafletChoice::Clip:
       plan.steps.emplace_back(
           EdgeToEdge{EdgeDevice::Clip, within(kEdgeAlong, lesions_.front().middle), width_mm});
+      return;
+    case LeafletChoice::CommissuralClosure:
+      for (const Side side : commissures_of(lesions_))
+        plan.steps.emplace_back(commissural_closure(valve_, coordinates_, side, width_mm));
       return;
   }
 }
@@ -412,6 +437,10 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
     case LeafletChoice::Clip:
       parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kClipWidths_mm,
                                           kLeafletWidthStep_mm, kFirstClip_mm));
+      break;
+    case LeafletChoice::CommissuralClosure:
+      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kCommissuralWidths_mm,
+                                          kLeafletWidthStep_mm, kFirstCommissural_mm));
       break;
   }
   // The middle of every branch must be possible; single points beyond are found out when they are

@@ -240,7 +240,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   }
   plan.gates = gates_of(evaluations, record, repaired, evaluation);
   plan.warnings = warnings_of(plan.gates);
-  if (record.opening && record.opening->behind_clip) plan.warnings.push_back(kUnknownBehindClip);
+  if (record.opening && record.opening->two_orifices) plan.warnings.push_back(kUnknownOpening);
   if (!record.plan.steps.empty() && plan.region.leak_mm2.worst > kMildLeak_mm2)
     plan.warnings.push_back("leaks more than " + shown(kMildLeak_mm2) +
                             " mm2 at some point of the region of interest");

@@ -62,6 +62,8 @@ std::string word(LeafletChoice choice) {
       return "quadrangular resection";
     case LeafletChoice::Clip:
       return "clip";
+    case LeafletChoice::CommissuralClosure:
+      return "commissural closure";
   }
   return {};
 }

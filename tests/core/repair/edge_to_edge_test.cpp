@@ -42,6 +42,21 @@ TEST(EdgeToEdge, AStitchOfFourMillimetresIsThreeTiesTwoMillimetresApart) {
   EXPECT_EQ(stitched.annulus_mm, valve.annulus_mm);
 }
 
+TEST(EdgeToEdge, AClosedCommissureIsStitchedFromWhereTheLeafletsMeet) {
+  const Valve& valve = small_preset("human-normal");
+  const LeafletCoordinates coordinates = leaflet_coordinates(valve);
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial}) {
+    const bool first = side == Side::Anterolateral;
+    const Valve closed = repaired(valve, commissural_closure(valve, coordinates, side, 8.0));
+    ASSERT_EQ(closed.ties.size(), 5u);
+    const Tie& outermost = first ? closed.ties.front() : closed.ties.back();
+    const Vec3 meets =
+        rest_position_mm(valve, coordinates, {Leaflet::Anterior, first ? 0.0 : 1.0, 1.0});
+    EXPECT_LT((position(outermost.anterior, closed.faces, closed.rest_mm) - meets).norm(), 2.0);
+    EXPECT_LT((position(outermost.posterior, closed.faces, closed.rest_mm) - meets).norm(), 2.0);
+  }
+}
+
 TEST(EdgeToEdge, AClipHasRowsOfTiesOverItsGraspAndDrawsTheAnnulusIn) {
   const Valve& valve = small_preset("human-normal");
   const Valve clipped =

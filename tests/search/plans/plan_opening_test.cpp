@@ -59,10 +59,11 @@ TEST(PlanOpening, IsNotKnownBehindAClipAndRejectsNothing) {
   const RepairPlan clip{{EdgeToEdge{EdgeDevice::Clip, 0.5, 6.0}}};
   const PlanOpening unknown = open_plan(*apply_plan(fitting_valve(), clip));
   EXPECT_EQ(severities(unknown), (std::vector{NotAssessed, NotAssessed}));
-  EXPECT_EQ(opening_gates(unknown)[0].finding, "the opening is unknown with a clip or stitch");
+  EXPECT_EQ(opening_gates(unknown)[0].finding,
+            "the opening is not known where a clip or stitch leaves two orifices");
   EXPECT_FALSE(is_stenotic(unknown));
   EXPECT_EQ(price(opening_terms(unknown), {}), 0.0);
-  EXPECT_FALSE(open_plan(fitting_valve()).behind_clip);
+  EXPECT_FALSE(open_plan(fitting_valve()).two_orifices);
 
   PlanEvaluationOptions options = on_threads(1);
   options.open = open_plan;
@@ -70,7 +71,7 @@ TEST(PlanOpening, IsNotKnownBehindAClipAndRejectsNothing) {
   PlanRecord* plan = &scene.closed(clip, 2);
   ASSERT_TRUE(scene.evaluations.open({&plan, 1}, PlanEvaluations::Phase::Searching));
   EXPECT_EQ(rank(scene.evaluations, {plan}, over_nodes(2))[0].warnings,
-            std::vector<std::string>{kUnknownBehindClip});
+            std::vector<std::string>{kUnknownOpening});
 }
 
 TEST(PlanOpening, PriceRisesAboveThreeMmhgAndFasterAboveFive) {

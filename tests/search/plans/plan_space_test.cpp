@@ -470,9 +470,12 @@ TEST(PlanSpace, ACommissuralLesionIsHeldOnBothLeafletsFromItsOwnMuscle) {
         std::tuple(Segment::A3, Segment::P3, Side::Posteromedial)}) {
     const PlanSpace space(valve, {}, diagnosis_of({CarpentierType::II}, {posterior, anterior}));
     ASSERT_FALSE(space.branches().empty());
-    const Branch& simplest = space.branches().front();
-    ASSERT_EQ(simplest.choice.neochordae, 2);
-    const RepairPlan plan = space.plan(simplest, start_of(simplest));
+    const auto held_on_both =
+        std::find_if(space.branches().begin(), space.branches().end(),
+                     [](const Branch& b) { return b.choice.leaflet == LeafletChoice::None; });
+    ASSERT_NE(held_on_both, space.branches().end());
+    ASSERT_EQ(held_on_both->choice.neochordae, 2);
+    const RepairPlan plan = space.plan(*held_on_both, start_of(*held_on_both));
     std::set<std::string> held;
     for (const RepairStep& step : plan.steps) {
       const auto* const neochorda = std::get_if<Neochorda>(&step);
@@ -484,6 +487,54 @@ TEST(PlanSpace, ACommissuralLesionIsHeldOnBothLeafletsFromItsOwnMuscle) {
     }
     EXPECT_EQ(held, (std::set<std::string>{to_string(anterior), to_string(posterior)}));
   }
+}
+
+TEST(Indication, ACommissureOfWhichBothScallopsProlapseMayBeClosed) {
+  const Valve& valve = shared_preset("human-normal", 200);
+  const auto closures = [&](const PlanSpace& space) {
+    std::vector<RepairPlan> plans;
+    for (const Branch& branch : space.branches())
+      if (branch.choice.leaflet == LeafletChoice::CommissuralClosure)
+        plans.push_back(space.plan(branch, start_of(branch)));
+    return plans;
+  };
+  const auto space_of = [&](const std::vector<Segment>& prolapsing, const SearchRules& rules = {}) {
+    return PlanSpace(valve, rules, diagnosis_of({CarpentierType::II}, prolapsing));
+  };
+  const auto steps_of = [](const RepairPlan& plan) {
+    std::string kinds;
+    for (const RepairStep& step : plan.steps)
+      kinds += std::holds_alternative<Annuloplasty>(step) ? 'r'
+               : std::holds_alternative<EdgeToEdge>(step) ? 'e'
+               : std::holds_alternative<Neochorda>(step)  ? 'n'
+                                                          : '?';
+    return kinds;
+  };
+  const PlanSpace medial = space_of({Segment::P3, Segment::A3});
+  EXPECT_EQ(medial.branches().front().choice.leaflet, LeafletChoice::CommissuralClosure)
+      << "one stitch in place of two neochordae";
+  ASSERT_FALSE(closures(medial).empty());
+  for (const RepairPlan& plan : closures(medial)) {
+    EXPECT_EQ(steps_of(plan), "re");
+    const auto& stitch = std::get<EdgeToEdge>(plan.steps.back());
+    EXPECT_EQ(stitch.device, EdgeDevice::Stitch);
+    EXPECT_GT(stitch.along, 0.8) << "A3 to P3";
+  }
+  const PlanSpace both = space_of({Segment::A1, Segment::P1, Segment::A3, Segment::P3});
+  for (const RepairPlan& plan : closures(both)) EXPECT_EQ(steps_of(plan), "ree");
+  EXPECT_FALSE(closures(both).empty());
+  const PlanSpace more = space_of({Segment::A1, Segment::P1, Segment::A3});
+  for (const RepairPlan& plan : closures(more))
+    EXPECT_EQ(steps_of(plan), "rnnne") << "neochordae at A3 alone";
+  EXPECT_FALSE(closures(more).empty());
+  // A lesion that reaches past the commissure is not closed with it.
+  EXPECT_TRUE(closures(space_of({Segment::A1, Segment::P1, Segment::P2})).empty());
+  EXPECT_TRUE(closures(space_of({Segment::A1})).empty());
+  SearchRules rules;
+  rules.forbidden = {"edge_to_edge:stitch"};
+  const PlanSpace forbidden = space_of({Segment::A1, Segment::P1}, rules);
+  EXPECT_TRUE(closures(forbidden).empty());
+  EXPECT_TRUE(is_cut(forbidden, "closure of a commissure", "forbidden"));
 }
 
 }  // namespace
