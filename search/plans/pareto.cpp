@@ -9,6 +9,7 @@
 #include "core/repair/approximation.h"
 #include "core/repair/describe.h"
 #include "search/plans/durability.h"
+#include "search/plans/plan_order.h"
 #include "search/plans/trade_off.h"
 
 namespace coapt {
@@ -26,8 +27,6 @@ bool beats(const Objectives& a, const Objectives& b) {
   }
   return better || a[3] < b[3];
 }
-
-double tenths(double value) { return std::round(10.0 * value); }
 
 struct Candidate {
   double leak_mm2 = 0.0, effort = 0.0;

@@ -83,6 +83,8 @@ class PlanEvaluations {
   const ClosedPlan& closed_before() const { return before_; }
   /// Why the valve leaks; before plans are compared.
   void tell(const Diagnosis& diagnosis);
+  /// That were not planned (SearchProgress::closures_planned).
+  void expect_more(int closures) { monitor_.plan_more(closures); }
   /// Its leaflets are tethered, for sure, and none prolapses.
   bool tethered() const { return tethered_; }
   const CostContext& context() const { return context_; }

@@ -15,7 +15,8 @@ bool is_simpler(const PlanMerits& a, const PlanMerits& b) {
   const auto merits = [](const PlanMerits& plan) {
     return std::tuple(plan.steps, plan.muscles, plan.free_anchors, plan.resections,
                       std::lround(plan.sizes_below), std::max(kTraceLeak_mm2, plan.leak_mm2),
-                      std::isnan(plan.durability_mm) ? 0.0 : -plan.durability_mm, plan.cost);
+                      std::isnan(plan.durability_mm) ? 0.0 : -tenths(plan.durability_mm),
+                      std::isnan(plan.gradient_mmhg) ? 0.0 : tenths(plan.gradient_mmhg), plan.cost);
   };
   return merits(a) < merits(b);
 }

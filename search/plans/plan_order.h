@@ -2,6 +2,7 @@
 // those without a warning that others avoid; plans that cannot be told apart form a class, which its simplest member heads.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct PlanMerits {
   double leak_mm2 = 0.0;  ///< mean + sd over the region
   double cost = 0.0;
 };
+
+/// To the digit that is printed, in tenths.
+inline double tenths(double value) { return std::round(10.0 * value); }
 
 /// What ranks before all else, best first. What is not acceptable comes after all that is.
 enum class PlanTier {
@@ -72,7 +76,7 @@ struct PlanPlace {
 };
 
 /// All plans, best first; the first of a class is its simplest member: fewest steps, fewest muscles, fewest free anchors,
-/// fewest resections, least undersizing in whole sizes, least leak above a trace, longest durability.
+/// fewest resections, least undersizing in whole sizes, least leak above a trace, longest durability and least gradient, to the tenth.
 /// What is not acceptable is a class of its own, by how likely it is to be, then by cost.
 /// @param by_price by cost instead within what is acceptable and what is not, each plan a class of its own
 std::vector<PlanPlace> order_of(const std::vector<PlanMerits>& plans, bool by_price = false,

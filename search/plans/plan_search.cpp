@@ -47,6 +47,12 @@ bool any_acceptable(const std::vector<RankedPlan>& plans) {
                      [](const RankedPlan& plan) { return plan.is_acceptable; });
 }
 
+/// The first plan is acceptable and, unless plans are ranked by price, without an avoidable warning.
+bool is_settled(const std::vector<RankedPlan>& plans, const SearchOptions& options) {
+  return options.rank_by_price ? any_acceptable(plans)
+                               : !plans.empty() && plans.front().tier == PlanTier::Acceptable;
+}
+
 /// What all evaluations and the ranked plans add to a result.
 void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
                SearchResult& result) {
@@ -63,9 +69,10 @@ void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
   result.seconds = monitor.seconds();
 }
 
-/// Fills what a result says of the best plans. `map_nodes`: of the region, for the first of them.
+/// Fills what a result says of the best plans. `reserve`: plans that join where none of the finalists ranks first without reproach. `map_nodes`: of the region, for the first of them.
 void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
-                    const SearchOptions& options, int map_nodes, SearchResult& result) {
+                    const std::vector<PlanRecord*>& reserve, const SearchOptions& options,
+                    int map_nodes, SearchResult& result) {
   evaluations.open(finalists, PlanEvaluations::Phase::Ranking);
   auto [kept, others] = close_finalists(evaluations, std::move(finalists), options, result.ladder);
   finalists = std::move(kept);
@@ -77,9 +84,14 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
     result.plans = rank(evaluations, finalists, options, fine, model);
   };
   judge();
-  if (!others.empty() && !any_acceptable(result.plans)) {
-    // Nodes took plans for acceptable that are not so with other tissue or on the finer mesh; those that they put behind may be.
+  // Nodes took plans for acceptable that are not so with other tissue or on the finer mesh; those that they put behind may be.
+  if (!others.empty() && !is_settled(result.plans, options)) {
     finalists.insert(finalists.end(), others.begin(), others.end());
+    judge();
+  }
+  if (options.evidence && !reserve.empty() && !is_settled(result.plans, options) &&
+      close_reserve(evaluations, reserve, options)) {
+    finalists.insert(finalists.end(), reserve.begin(), reserve.end());
     judge();
   }
   std::vector<PlanRecord*> reported;
@@ -223,17 +235,22 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   result.plans_tried = static_cast<int>(tried.size());
   if (!trading.empty() && monitor.search_stopped()) result.stop = SearchStop::TimeLimit;
 
-  std::vector<PlanRecord*> finalists =
-      best_plans(exploration, wanted_finalists(options, result.ladder.back().skipped));
+  const int wanted = wanted_finalists(options, result.ladder.back().skipped);
+  std::vector<PlanRecord*> reserve = best_plans(exploration, wanted + kReserve);
+  const auto last = reserve.begin() + std::min<std::ptrdiff_t>(wanted, std::ssize(reserve));
+  std::vector<PlanRecord*> finalists(reserve.begin(), last);
   if (!trading.empty())
     add_cheapest(pareto_front(evaluations, scored, kChosenBy), kFrontFinalists, evaluations,
                  finalists);
+  std::erase_if(reserve, [&](const PlanRecord* plan) {
+    return std::find(finalists.begin(), finalists.end(), plan) != finalists.end();
+  });
   SearchOptions ordering = options;
   ordering.region_points = std::min(options.region_points, kBeforeTheRegion);
   monitor.plan(evaluations.closures() + ranking_closures(ordering, finalists) +
                    anchor_closures(options) + options.region_points - ordering.region_points,
                "ranking");
-  rank_finalists(evaluations, finalists, ordering, options.region_points, result);
+  rank_finalists(evaluations, finalists, reserve, ordering, options.region_points, result);
   result.pareto_front = pareto_front(evaluations, scored, kChosenBy);
   for (const PlanRecord* plan : tried)
     result.tried.push_back(tried_plan(evaluations, *plan, result.plans));
@@ -268,7 +285,7 @@ Expected<SearchResult> evaluate_plans(const Valve& valve, const std::vector<Name
   monitor.plan(1 + ranking_closures(all, records) + anchor_closures(all), "ranking");
   SearchResult result;
   tell_before(evaluations, result);
-  rank_finalists(evaluations, records, all, all.region_points, result);
+  rank_finalists(evaluations, records, {}, all, all.region_points, result);
   for (RankedPlan& ranked : result.plans)
     for (const NamedPlan& named : plans)
       if (&evaluations.record(named.plan) == &evaluations.record(ranked.plan))

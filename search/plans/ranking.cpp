@@ -148,6 +148,21 @@ bool takes_simpler(const SearchOptions& options, const std::vector<PlanRecord*>&
          std::ssize(finalists) > compared_plans(options);
 }
 
+int disease_closures_left(const PlanRecord& plan) {
+  int left = kDisease.count;
+  for (const auto& [disturbance, closure] : plan.closures)
+    left -= kDisease.first <= disturbance && disturbance < kDisease.first + kDisease.count;
+  return durability(plan) ? 0 : left;
+}
+
+/// Opens plans, closes them at as many nodes and under disease. False if it was stopped.
+bool close_for_order(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
+                     int nodes) {
+  return evaluations.open(plans, PlanEvaluations::Phase::Ranking) &&
+         close_up_to(evaluations, plans, nodes) &&
+         close_disease(evaluations, plans, PlanEvaluations::Phase::Ranking);
+}
+
 /// Adds simpler versions of plans of the first class, and safer ones of those that are warned of, closed as far as these are. False if it was stopped.
 bool add_simpler(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, int nodes,
                  const SearchOptions& options) {
@@ -170,10 +185,7 @@ bool add_simpler(PlanEvaluations& evaluations, std::vector<PlanRecord*>& plans, 
     }
   }
   if (added.empty()) return true;
-  if (!evaluations.open(added, PlanEvaluations::Phase::Ranking) ||
-      !close_up_to(evaluations, added, nodes) ||
-      !close_disease(evaluations, added, PlanEvaluations::Phase::Ranking))
-    return false;
+  if (!close_for_order(evaluations, added, nodes)) return false;
   plans.insert(plans.end(), added.begin(), added.end());
   return true;
 }
@@ -185,13 +197,6 @@ std::vector<DisturbanceSet> evidence_of(const RepairPlan& plan) {
   if (al) sets.push_back(kAnterolateralAlone);
   if (pm) sets.push_back(kPosteromedialAlone);
   return sets;
-}
-
-int disease_closures_left(const PlanRecord& plan) {
-  int left = kDisease.count;
-  for (const auto& [disturbance, closure] : plan.closures)
-    left -= kDisease.first <= disturbance && disturbance < kDisease.first + kDisease.count;
-  return durability(plan) ? 0 : left;
 }
 
 /// What the fine mesh says against a plan whose own mesh does not.
@@ -263,7 +268,7 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
 int ranking_closures(const SearchOptions& options) {
   const int before = std::min(kBeforeTheRegion, options.region_points);
   const int compared = compared_plans(options);
-  const int finalists = wanted_finalists(options, true) + kFrontFinalists + kSimpler;
+  const int finalists = wanted_finalists(options, true) + kFrontFinalists + kSimpler + kReserve;
   int most = finalists * before + compared * (options.region_points - before);
   if (options.evidence)
     most += finalists * kDisease.count +
@@ -334,6 +339,13 @@ Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*>
   }
   keep_best(evaluations, finalists, closed, options);
   return {finalists, others};
+}
+
+bool close_reserve(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& reserve,
+                   const SearchOptions& options) {
+  for (const PlanRecord* plan : reserve)
+    evaluations.expect_more(options.region_points - nodes_of(*plan) + disease_closures_left(*plan));
+  return close_for_order(evaluations, reserve, options.region_points);
 }
 
 void close_map(PlanEvaluations& evaluations, PlanRecord& plan, int nodes) {

@@ -26,6 +26,9 @@ inline int wanted_finalists(const SearchOptions& options, bool nodes_rank_badly)
 /// Finalists that may come from the front (pareto.h) besides.
 inline constexpr int kFrontFinalists = 3;
 
+/// Finalists more, where none of those ranks first without reproach: acceptable, without an avoidable warning.
+inline constexpr int kReserve = 8;
+
 /// Closures that close_finalists() and close_evidence() take at most: of any finalists, and of these, which have some already.
 int ranking_closures(const SearchOptions& options);
 int ranking_closures(const SearchOptions& options, const std::vector<PlanRecord*>& finalists);
@@ -44,6 +47,11 @@ struct Finalists {
 /// dropped, whose price then counts. Out of time or cancelled it leaves fewer nodes, but all plans that stay have equal ones.
 Finalists close_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
                           const SearchOptions& options, std::vector<LadderStep>& ladder);
+
+/// Opens further plans and closes them as finalists that stay are: at options.region_points nodes and under disease. False if it
+/// was stopped.
+bool close_reserve(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& reserve,
+                   const SearchOptions& options);
 
 /// Further remodelling, errors of each suture alone, and all errors at once: what evidence_closures() counts, less disease.
 void close_evidence(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans);

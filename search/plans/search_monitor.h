@@ -45,6 +45,10 @@ class SearchMonitor {
     progress_.closures_planned = closures;
     progress_.stage = stage;
   }
+  void plan_more(int closures) {
+    const Lock lock(mutex_);
+    progress_.closures_planned += closures;
+  }
   void found(double cost) {
     const Lock lock(mutex_);
     progress_.best_cost = cost;

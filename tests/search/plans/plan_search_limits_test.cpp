@@ -37,7 +37,7 @@ TEST(SearchLimits, ClosuresStayWithinWhatTheHelpOfTheCommandAddsUp) {
     options.evidence = evidence;
     const SearchResult result = searched(needs_suture, options);
     EXPECT_LE(result.evaluations, evaluations);
-    const int finalists = evidence ? 12 + 8 : 12;
+    const int finalists = evidence ? 12 + 8 + 8 : 12;
     EXPECT_LE(result.closures, 1 + evaluations + finalists * std::min(65, points) +
                                    std::max(0, points - 65) +
                                    (evidence ? 24 * finalists + 284 * plans : 0));

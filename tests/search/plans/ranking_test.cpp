@@ -70,6 +70,16 @@ TEST(Ranking, EvidenceIsClosedForAllAndForTheMusclesThatAreSutured) {
   EXPECT_LE(scene.evaluations.closures() - 1, ranking_closures(options));
 }
 
+TEST(Ranking, AReserveIsClosedAsFinalistsAre) {
+  EvaluationScene scene(leak_of([](const Valve&) { return 0.0; }));  // every course to its end
+  const std::vector<PlanRecord*> reserve = finalists_of(scene, 3);
+  ASSERT_TRUE(close_reserve(scene.evaluations, reserve, options_of(3, 9, true)));
+  for (const PlanRecord* plan : reserve) {
+    EXPECT_EQ(region_nodes(*plan), 9);
+    EXPECT_EQ(plan->closures.size(), 9u + 24u) << "and under disease";
+  }
+}
+
 TEST(Ranking, StoppedItComparesOverTheNodesThatAllHave) {
   std::atomic<bool> cancelled = false;
   std::atomic<int> calls = 0;
