@@ -191,6 +191,17 @@ bool prolapses(const SegmentDiagnosis& segment) {
   return segment.finding == SegmentFinding::Prolapse || segment.finding == SegmentFinding::Flail;
 }
 
+/// Another type than I that is not sure yields to clefts that explain the leak.
+void name_clefts(Diagnosis& of) {
+  if (of.clefts.empty()) return;
+  if (!of.type_sure && clefts_explain(of) && of.types.front() != CarpentierType::I) {
+    of.not_ruled_out = of.types.front();
+    of.types = {CarpentierType::I};
+  } else if (std::find(of.types.begin(), of.types.end(), CarpentierType::I) == of.types.end()) {
+    of.types.push_back(CarpentierType::I);
+  }
+}
+
 void name_types(Diagnosis& of) {
   if (of.competent) return;
   const bool excessive = std::any_of(of.segments.begin(), of.segments.end(), prolapses);
@@ -211,7 +222,8 @@ void name_types(Diagnosis& of) {
     of.type_sure = false;
     of.not_ruled_out = tethered ? CarpentierType::I : CarpentierType::IIIb;
   }
-  if (!tethered) return;
+  name_clefts(of);
+  if (!tethered || of.types.front() == CarpentierType::I) return;
   of.tethered_side = further_side(of);
   for (SegmentDiagnosis& segment : of.segments)
     if (!prolapses(segment) && is_held_by(segment.segment, of.tethered_side))
@@ -265,6 +277,7 @@ std::optional<Diagnosis> diagnose(const Valve& valve, const ClosureResult& closu
   of.transverse_mm = transverse_diameter_mm(valve);
   of.annulus_dilated = of.ap_mm > kDilatedAp_mm || of.ap_mm > kRoundAnnulus * of.transverse_mm;
   of.tethering = tethering(of);
+  of.clefts = leaking_clefts(valve, measure, kTraceLeak_mm2);
   name_types(of);
   if (opening_mm2 <= kCannotOpen_mm2) of.types.push_back(CarpentierType::IIIa);
   return of;
@@ -273,6 +286,10 @@ std::optional<Diagnosis> diagnose(const Valve& valve, const ClosureResult& closu
 bool may_be(const Diagnosis& diagnosis, CarpentierType type) {
   return diagnosis.not_ruled_out == type ||
          std::find(diagnosis.types.begin(), diagnosis.types.end(), type) != diagnosis.types.end();
+}
+
+bool clefts_explain(const Diagnosis& diagnosis) {
+  return leak_through(diagnosis.clefts) >= 0.5 * diagnosis.leak_mm2;
 }
 
 std::vector<SegmentDiagnosis> prolapsing(const Diagnosis& diagnosis) {

@@ -5,7 +5,8 @@
 // edge rides over the opposite one by more than in closed valves, or stands above that line; it is flail where its marginal
 // chordae are ruptured, too. Leaflets are tethered (type IIIb) by the probability that a logistic regression gives to three figures
 // that surgeons know: how far the tips are from their trigones, how round the annulus is, how deep A2's edge lies. What leaks and
-// is neither has an annulus too wide for its leaflets (type I). Leaflets that cannot open are type IIIa.
+// is neither has an annulus too wide for its leaflets or leaks through deep clefts (type I); where most of the leak passes through
+// clefts and another type is not sure, they are what explains it. Leaflets that cannot open are type IIIa.
 //
 // Thresholds were chosen on one half of 120 made valves and their diseases and judged on the other (docs/researcher/diagnosis.md).
 #pragma once
@@ -15,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/closed/clefts.h"
 #include "core/metrics/measure.h"
 
 namespace coapt {
@@ -25,7 +27,7 @@ inline constexpr double kMildLeak_mm2 = 5.0;
 inline constexpr double kTraceLeak_mm2 = 1.0;
 
 enum class CarpentierType {
-  I,     ///< normal leaflet motion: the annulus is dilated
+  I,     ///< normal leaflet motion: the annulus is dilated, or clefts leak
   II,    ///< excessive motion: prolapse, flail
   IIIa,  ///< restricted in diastole and systole
   IIIb   ///< restricted in systole: tethered by displaced papillary muscles
@@ -56,6 +58,8 @@ struct Diagnosis {
   std::optional<CarpentierType> not_ruled_out;  ///< where the first type is not sure
 
   std::array<SegmentDiagnosis, 6> segments;  ///< in the order of kScallops (core/valve/ruptures.h)
+
+  std::vector<Cleft> clefts;  ///< that leak
 
   std::array<double, 2> tip_to_trigone_mm{};  ///< anterolateral, posteromedial
   double tenting_height_mm = 0.0;
@@ -91,6 +95,8 @@ std::optional<Diagnosis> diagnose(const Valve& valve, const ClosureResult& closu
 
 /// Whether a type is among those of the valve, or not ruled out.
 bool may_be(const Diagnosis& diagnosis, CarpentierType type);
+/// Half of it or more passes through clefts. @pre there are clefts
+bool clefts_explain(const Diagnosis& diagnosis);
 /// Segments that prolapse or are flail, sure or not.
 std::vector<SegmentDiagnosis> prolapsing(const Diagnosis& diagnosis);
 

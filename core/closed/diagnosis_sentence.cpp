@@ -96,6 +96,20 @@ Reason of_tethering(const Diagnosis& diagnosis) {
               away(1 - side) + " mm" + depth};
 }
 
+/// "the cleft between P1 and P2 leaks" and "8 mm deep, 16 mm² of the leak".
+Reason of_clefts(const Diagnosis& diagnosis) {
+  std::vector<std::string> places, depths;
+  for (const Cleft& cleft : diagnosis.clefts) {
+    places.push_back(std::string("between ") + to_string(cleft.first) + " and " +
+                     to_string(cleft.second));
+    depths.push_back(in_mm(cleft.depth_mm));
+  }
+  const bool one = places.size() == 1;
+  return {(one ? "the cleft " : "the clefts ") + joined(places) + (one ? " leaks" : " leak"),
+          joined(depths) + " deep, and " + with_decimals(leak_through(diagnosis.clefts), 0) +
+              " mm² of the leak pass through " + (one ? "it" : "them")};
+}
+
 Reason of_annulus(const Diagnosis& diagnosis) {
   return {"the annulus is too wide for the leaflets",
           with_decimals(diagnosis.ap_mm, 0) + " x " + in_mm(diagnosis.transverse_mm) +
@@ -106,7 +120,7 @@ Reason of_annulus(const Diagnosis& diagnosis) {
 Reason reason_of(const Diagnosis& diagnosis, CarpentierType type) {
   switch (type) {
     case CarpentierType::I:
-      return of_annulus(diagnosis);
+      return diagnosis.clefts.empty() ? of_annulus(diagnosis) : of_clefts(diagnosis);
     case CarpentierType::II:
       return of_excess(diagnosis);
     case CarpentierType::IIIa:

@@ -44,6 +44,16 @@ class Anatomy {
            " % of its height";
   }
 
+  /// Of the posterior free edge before a place and after it: "P1 and P2", or one.
+  std::string either_side(double along) {
+    constexpr double kBeside = 0.04;
+    const std::string edge = "the free edge of ";
+    const std::string before =
+        place({Leaflet::Posterior, along - kBeside, 1.0}).substr(edge.size());
+    const std::string after = place({Leaflet::Posterior, along + kBeside, 1.0}).substr(edge.size());
+    return before == after ? "in " + before : "between " + before + " and " + after;
+  }
+
   const Valve& valve;
 
  private:
@@ -126,11 +136,14 @@ std::string words(Anatomy& anatomy, const LeafletResection& step) {
 }
 
 std::string words(Anatomy& anatomy, const EdgeToEdge& step) {
+  if (step.device == EdgeDevice::CleftSuture)
+    return "suture of the cleft " + anatomy.either_side(step.along) + ", " + shown(step.width_mm) +
+           " mm from its root";
   const std::string tied = std::string("edge-to-edge ") + to_string(step.device) + ", " +
                            shown(step.width_mm) + " mm wide, " +
                            anatomy.place({Leaflet::Anterior, step.along, 1.0}) + " to " +
                            anatomy.place({Leaflet::Posterior, step.along, 1.0});
-  if (step.device == EdgeDevice::Stitch) return tied;
+  if (step.device != EdgeDevice::Clip) return tied;
   return tied + ", " + shown(step.grasp_mm) + " mm of each leaflet grasped, annulus reduced by " +
          shown(step.annulus_drawn_in_percent) + " %";
 }

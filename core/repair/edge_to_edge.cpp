@@ -31,6 +31,20 @@ double grasp_share(const Valve& valve, const LeafletCoordinates& coordinates, Le
   return std::min(kMostGrasp, clip.grasp_mm / height_mm);
 }
 
+/// Where one is on the posterior free edge after so many millimetres along it.
+double along_edge(const Valve& valve, const LeafletCoordinates& coordinates, double along,
+                  double reach_mm, double onwards) {
+  constexpr double kStep = 0.002;
+  Vec3 last = rest_position_mm(valve, coordinates, {Leaflet::Posterior, along, 1.0});
+  for (double walked_mm = 0.0; walked_mm < reach_mm && along > kStep && along < 1.0 - kStep;) {
+    along += onwards * kStep;
+    const Vec3 next = rest_position_mm(valve, coordinates, {Leaflet::Posterior, along, 1.0});
+    walked_mm += (next - last).norm();
+    last = next;
+  }
+  return along;
+}
+
 int next_number(const Valve& valve) {
   int number = 1;
   while (std::any_of(valve.ties.begin(), valve.ties.end(), [&](const Tie& tie) {
@@ -87,6 +101,27 @@ EdgeToEdge commissural_closure(const Valve& valve, const LeafletCoordinates& coo
 void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordinates,
                         Valve& valve) {
   const std::string id = "edge-to-edge-" + std::to_string(next_number(valve)) + '-';
+  const auto tie = [&](int number, const Insertion& anterior, const Insertion& posterior) {
+    Tie made;
+    made.id = id + std::to_string(number);
+    made.anterior = anterior;
+    made.posterior = posterior;
+    made.rest_length_mm = valve.tissue.thickness_mm;
+    valve.ties.push_back(std::move(made));
+  };
+  if (step.device == EdgeDevice::CleftSuture) {
+    const auto edge = [&](double reach_mm, double onwards) {
+      return locate(
+          valve, coordinates,
+          {Leaflet::Posterior, along_edge(valve, coordinates, step.along, reach_mm, onwards), 1.0});
+    };
+    const int ties = std::max(1, static_cast<int>(std::lround(step.width_mm / kTieSpacing_mm)));
+    for (int i = 1; i <= ties; ++i) {
+      const double reach_mm = step.width_mm * i / ties;
+      tie(i, edge(reach_mm, -1.0), edge(reach_mm, 1.0));
+    }
+    return;
+  }
   const int count = 1 + static_cast<int>(std::lround(step.width_mm / kTieSpacing_mm));
   const int rows = step.device == EdgeDevice::Clip ? step.rows : 1;
   const auto insertion = [&](Leaflet leaflet, double off_mm, int row) {
@@ -99,12 +134,8 @@ void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordi
   for (int row = 0; row < rows; ++row)
     for (int i = 0; i < count; ++i) {
       const double off_mm = step.width_mm * (static_cast<double>(i) / (count - 1) - 0.5);
-      Tie tie;
-      tie.id = id + std::to_string(row * count + i + 1);
-      tie.anterior = insertion(Leaflet::Anterior, off_mm, row);
-      tie.posterior = insertion(Leaflet::Posterior, off_mm, row);
-      tie.rest_length_mm = valve.tissue.thickness_mm;
-      valve.ties.push_back(std::move(tie));
+      tie(row * count + i + 1, insertion(Leaflet::Anterior, off_mm, row),
+          insertion(Leaflet::Posterior, off_mm, row));
     }
 }
 

@@ -5,6 +5,7 @@
 // 2019). Each leaflet's own edge measures the width, so that neither is gathered.
 // A clip draws the annulus in, mostly in its anteroposterior diameter: by 13.2 +- 8.8 % in functional, 8.6 +- 7.5 % in organic
 // regurgitation (50 procedures, REC: Interventional Cardiology); 11 % unless told. The largest of several clips counts.
+// Sutures of a cleft are ties between its two edges, from its root on, kTieSpacing_mm apart.
 // Modelled: leaflets held at the contact thickness. Not modelled: leaflet tissue that a suture gathers, the clip's own stiffness.
 #pragma once
 

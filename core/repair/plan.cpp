@@ -39,6 +39,16 @@ const char* to_string(ResectionShape shape) {
   return shape == ResectionShape::Triangular ? "triangular" : "quadrangular";
 }
 
-const char* to_string(EdgeDevice device) { return device == EdgeDevice::Clip ? "clip" : "stitch"; }
+const char* to_string(EdgeDevice device) {
+  switch (device) {
+    case EdgeDevice::Stitch:
+      return "stitch";
+    case EdgeDevice::Clip:
+      return "clip";
+    case EdgeDevice::CleftSuture:
+      return "cleft_suture";
+  }
+  return "";
+}
 
 }  // namespace coapt

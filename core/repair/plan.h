@@ -81,14 +81,14 @@ struct PapillaryApproximation {
   double suture_length_mm = 0.0;  ///< 12 to 100
 };
 
-enum class EdgeDevice { Stitch, Clip };
+enum class EdgeDevice { Stitch, Clip, CleftSuture };
 
 /// Opposite points of the leaflets' free edges are held together: a stitch along the edges (Alfieri), or a clip, whose arms hold
-/// the leaflets above them, too, and which draws the annulus in.
+/// the leaflets above them, too, and which draws the annulus in. Or the two edges of a cleft of the posterior leaflet are.
 struct EdgeToEdge {
   EdgeDevice device = EdgeDevice::Stitch;
-  double along = 0.5;     ///< of both edges, LeafletPoint::along; 0.5: A2 to P2
-  double width_mm = 4.0;  ///< along the edges: 2 to 15
+  double along = 0.5;  ///< of both edges, or of a cleft's root, LeafletPoint::along; 0.5: A2 to P2
+  double width_mm = 4.0;  ///< along the edges, of a cleft from its root: 2 to 15
   // Of a clip alone (edge_to_edge.h has sizes and sources).
   double grasp_mm = 5.0;  ///< of each leaflet between the arms, from the free edge: 2 to 12
   int rows = 2;           ///< of ties over that: 1 to 5

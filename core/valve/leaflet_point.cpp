@@ -97,6 +97,19 @@ LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordin
   return leaflet_point(place, height);
 }
 
+double middle_along(const Valve& valve, const LeafletCoordinates& coordinates, Segment segment) {
+  double sum = 0.0;
+  int faces = 0;
+  for (std::size_t f = 0; f < valve.segments.size(); ++f) {
+    if (valve.segments[f] != segment) continue;
+    constexpr double kThird = 1.0 / 3.0;
+    const Insertion middle{static_cast<int>(f), {kThird, kThird, kThird}};
+    sum += leaflet_point(valve, coordinates, middle).along;
+    ++faces;
+  }
+  return sum / faces;
+}
+
 LeafletPoint leaflet_point(double around, double height) {
   const double place = turn_fraction(around);
   if (place < 0.5) return {Leaflet::Anterior, 1.0 - 2.0 * place, height};

@@ -30,6 +30,9 @@ Vec3 rest_position_mm(const Valve& valve, const LeafletCoordinates& coordinates,
 LeafletPoint leaflet_point(const Valve& valve, const LeafletCoordinates& coordinates,
                            const Insertion& insertion);
 
+/// LeafletPoint::along of a segment's middle. @pre it has faces
+double middle_along(const Valve& valve, const LeafletCoordinates& coordinates, Segment segment);
+
 /// The point at LeafletCoordinates::around, any number of turns.
 LeafletPoint leaflet_point(double around, double height);
 

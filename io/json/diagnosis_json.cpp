@@ -18,6 +18,14 @@ Json to_json(const SegmentDiagnosis& segment) {
           {"ruptured_chordae", segment.ruptured}};
 }
 
+Json to_json(const Cleft& cleft) {
+  return {{"between", {to_string(cleft.first), to_string(cleft.second)}},
+          {"along", cleft.along},
+          {"depth_mm", cleft.depth_mm},
+          {"share_of_height", cleft.share},
+          {"leak_mm2", cleft.leak_mm2}};
+}
+
 Json thresholds() {
   constexpr const char* kMade = "generated valves, one half judged by the other";
   const auto row = [](const char* figure, double threshold, const char* unit, const char* source) {
@@ -30,6 +38,7 @@ Json thresholds() {
        row("ap_mm", kDilatedAp_mm, "mm", "ESC/EACTS guidelines on valvular heart disease 2012"),
        row("ap_mm over transverse_mm", kRoundAnnulus, "1",
            "healthy 0.75 ± 0.07 (PMC7368231, table 3), mean + 2 sd"),
+       row("share_of_height of a cleft", kDeepCleft, "1", kMade),
        row("opening_area_mm2", kCannotOpen_mm2, "mm2",
            "severe stenosis, ASE/EACVI recommendations 2009")});
 }
@@ -39,9 +48,10 @@ Json thresholds() {
 Json to_json(const std::optional<Diagnosis>& diagnosis, const Estimate& leak) {
   if (!diagnosis) return {};
   const Diagnosis& of = *diagnosis;
-  Json types = Json::array(), segments = Json::array();
+  Json types = Json::array(), segments = Json::array(), clefts = Json::array();
   for (const CarpentierType type : of.types) types.push_back(to_string(type));
   for (const SegmentDiagnosis& segment : of.segments) segments.push_back(to_json(segment));
+  for (const Cleft& cleft : of.clefts) clefts.push_back(to_json(cleft));
   return {
       {"competent", of.competent},
       {"competent_sure", of.competent_sure},
@@ -52,6 +62,7 @@ Json to_json(const std::optional<Diagnosis>& diagnosis, const Estimate& leak) {
       {"type_sure", of.type_sure},
       {"not_ruled_out", of.not_ruled_out ? Json(to_string(*of.not_ruled_out)) : Json()},
       {"segments", std::move(segments)},
+      {"clefts", std::move(clefts)},
       {"tip_to_trigone_mm",
        {{"anterolateral", of.tip_to_trigone_mm[0]}, {"posteromedial", of.tip_to_trigone_mm[1]}}},
       {"tenting_height_mm", of.tenting_height_mm},

@@ -134,7 +134,8 @@ RepairStep read_approximation(const JsonPlace& place) {
 RepairStep read_edge_to_edge(const JsonPlace& place) {
   EdgeToEdge step;
   const auto read_device = [](const JsonPlace& device) {
-    return read_name<EdgeDevice>(device, {EdgeDevice::Stitch, EdgeDevice::Clip});
+    return read_name<EdgeDevice>(device,
+                                 {EdgeDevice::Stitch, EdgeDevice::Clip, EdgeDevice::CleftSuture});
   };
   const auto read_rows = [](const JsonPlace& rows) {
     return read_integer_in(rows, static_cast<int>(kClipRows.min), static_cast<int>(kClipRows.max));

@@ -15,6 +15,7 @@ namespace {
 constexpr double kSameTip_mm = 0.1;
 constexpr double kMarginalReach_mm = 3.0;
 constexpr double kSurfaceReach_mm = 8.0;
+constexpr double kSurelyNearer_mm = 2.0;
 constexpr double kTwigArc =
     1.0 / 60.0;  // between twigs, share of the annulus: a station of 720 triangles
 
@@ -279,7 +280,11 @@ Errors add_imported_ties(const FramedSource& source, bool closed, Valve& valve,
   for (std::size_t i = 0; i < source.ties.size(); ++i) {
     const ImportedTie& imported = source.ties[i];
     const auto landed = [&](const Vec3& end_mm, Leaflet leaflet, const char* name) {
-      const SurfacePoint nearest = nearest_on_surface(valve, end_mm, leaflet);
+      SurfacePoint nearest = nearest_on_surface(valve, end_mm, leaflet);
+      // Both ends of the sutures of a cleft are on the posterior leaflet.
+      if (const SurfacePoint other = nearest_on_surface(valve, end_mm, Leaflet::Posterior);
+          other.distance_mm + kSurelyNearer_mm < nearest.distance_mm)
+        nearest = other;
       moved_mm = std::max(moved_mm, nearest.distance_mm);
       if (!(nearest.distance_mm <= kSurfaceReach_mm))
         problems.add(ErrorCode::BadGeometry, "/ties/" + std::to_string(i) + name,

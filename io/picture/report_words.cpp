@@ -147,7 +147,8 @@ StepWords words(const Operated& operated, const Neochorda& step, std::size_t) {
           ""};
 }
 
-StepWords words(const Operated& operated, const EdgeToEdge& step, std::size_t) {
+StepWords words(const Operated& operated, const EdgeToEdge& step, std::size_t index) {
+  if (step.device == EdgeDevice::CleftSuture) return words_as_described(operated, index);
   const Valve& valve = operated.before.valve;
   return {std::string(step.device == EdgeDevice::Clip ? "Clip" : "Edge-to-edge stitch") + ", " +
               mm(step.width_mm) + " wide, from " +
@@ -198,8 +199,10 @@ std::string in_short(const Neochorda& step) {
          mm(step.length_mm);
 }
 std::string in_short(const EdgeToEdge& step) {
-  return std::string(step.device == EdgeDevice::Clip ? "clip" : "edge-to-edge stitch") + ", " +
-         mm(step.width_mm);
+  const char* device = step.device == EdgeDevice::Clip     ? "clip"
+                       : step.device == EdgeDevice::Stitch ? "edge-to-edge stitch"
+                                                           : "cleft sutured";
+  return std::string(device) + ", " + mm(step.width_mm);
 }
 std::string in_short(const LeafletResection& step) {
   return std::string(to_string(step.shape)) + " resection of the " + to_string(step.leaflet) +

@@ -64,7 +64,7 @@ LatticePoint nearest_point(const Branch& from, const LatticePoint& at, const Bra
 int differences(const Choice& a, const Choice& b) {
   return (a.ring != b.ring) + (a.anterolateral != b.anterolateral) +
          (a.posteromedial != b.posteromedial) + (a.neochordae != b.neochordae) +
-         (a.chordal != b.chordal) + (a.leaflet != b.leaflet);
+         (a.chordal != b.chordal) + (a.leaflet != b.leaflet) + (a.clefts != b.clefts);
 }
 
 }  // namespace coapt

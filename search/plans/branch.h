@@ -25,6 +25,7 @@ struct Choice {
   int neochordae = 0;
   ChordalChoice chordal = ChordalChoice::None;
   LeafletChoice leaflet = LeafletChoice::None;
+  bool clefts = false;  ///< sutured
 };
 
 enum class ParameterOf {
@@ -35,6 +36,7 @@ enum class ParameterOf {
   NeochordaLength,  ///< mm, of neochorda `index`
   Shortening,       ///< mm
   LeafletWidth,     ///< mm, of a resection, a clip or a stitch
+  CleftWidth,       ///< mm, from the root of each cleft, that its sutures reach
 };
 
 /// Values lower + k x step for k in [0, count).

@@ -93,20 +93,6 @@ std::vector<int> by_distance(const Valve& valve, const LeafletCoordinates& coord
   return indices;
 }
 
-/// LeafletPoint::along of a segment's middle.
-double middle_of(const Valve& valve, const LeafletCoordinates& coordinates, Segment segment) {
-  double sum = 0.0;
-  int faces = 0;
-  for (std::size_t f = 0; f < valve.segments.size(); ++f) {
-    if (valve.segments[f] != segment) continue;
-    constexpr double kThird = 1.0 / 3.0;
-    const Insertion middle{static_cast<int>(f), {kThird, kThird, kThird}};
-    sum += leaflet_point(valve, coordinates, middle).along;
-    ++faces;
-  }
-  return sum / faces;
-}
-
 /// Takes the segments of `left` that hang together with this one, from the anterolateral side on; none if it was taken.
 std::vector<Segment> take_run(std::set<Segment>& left, Segment segment) {
   const auto of = std::find_if(kRows.begin(), kRows.end(), [&](const auto& row) {
@@ -172,8 +158,8 @@ std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& c
     const std::vector<Segment> run = take_run(left, segment.segment);
     if (run.empty()) continue;
     const Leaflet leaflet = *leaflet_of(segment.segment);  // prolapsing() knows scallops alone
-    const double first = middle_of(valve, coordinates, run.front());
-    const double last = middle_of(valve, coordinates, run.back());
+    const double first = middle_along(valve, coordinates, run.front());
+    const double last = middle_along(valve, coordinates, run.back());
     lesions.push_back({leaflet, 0.5 * (first + last), 0.5 * (last - first),
                        usual_length_mm(valve, coordinates, leaflet), commissure_of(run)});
   }

@@ -65,7 +65,7 @@ std::string words(const PapillaryApproximation& suture) {
 std::string words(const EdgeToEdge& step) {
   const std::string text =
       std::string("edges ") + to_string(step.device) + number(step.along) + number(step.width_mm);
-  if (step.device == EdgeDevice::Stitch) return text;
+  if (step.device != EdgeDevice::Clip) return text;
   return text + number(step.grasp_mm) + number(step.rows) + number(step.annulus_drawn_in_percent);
 }
 

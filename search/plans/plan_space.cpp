@@ -29,7 +29,8 @@ constexpr double kFirstAnchorPlace = 0.15;     // about the trigone
 constexpr Range kShortenings_mm = {1.0, 6.0};
 // Bases of wedges are 10 to 15 mm as a rule, clips 4 to 6 mm wide.
 constexpr Range kTriangularWidths_mm = {6.0, 16.0}, kQuadrangularWidths_mm = {8.0, 20.0},
-                kClipWidths_mm = {4.0, 10.0}, kCommissuralWidths_mm = {4.0, 12.0};
+                kClipWidths_mm = {4.0, 10.0}, kCommissuralWidths_mm = {4.0, 12.0},
+                kCleftWidths_mm = {4.0, 14.0};
 constexpr double kLeafletWidthStep_mm = 2.0;
 constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0, kFirstCommissural_mm = 8.0;
 constexpr double kDegenerativeRing =
@@ -43,7 +44,7 @@ int step_count(const Choice& choice) {
   return (choice.ring.empty() ? 0 : 1) + (choice.anterolateral ? 1 : 0) +
          (choice.posteromedial ? 1 : 0) + choice.neochordae +
          (choice.chordal == ChordalChoice::None ? 0 : 1) +
-         (choice.leaflet == LeafletChoice::None ? 0 : 1);
+         (choice.leaflet == LeafletChoice::None ? 0 : 1) + (choice.clefts ? 1 : 0);
 }
 
 bool is_resection(LeafletChoice leaflet) {
@@ -93,6 +94,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
   const std::vector<int> neochordae = offer_neochordae();
   const std::vector<ChordalChoice> chordals = offer_chordal();
   const std::vector<LeafletChoice> leaflets = offer_leaflet();
+  const bool clefts = sutures_clefts();
   // Of what is indicated, a surgeon leaves out neither the ring nor what prolapses, if rules let him.
   const bool needs_ring = diagnosis_ && rings.size() > 1;
   const bool needs_mending =
@@ -105,7 +107,7 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
         for (const int count : neochordae)
           for (const ChordalChoice chordal : chordals)
             for (const LeafletChoice leaflet : leaflets)
-              if (const Choice choice{ring, al, pm, count, chordal, leaflet};
+              if (const Choice choice{ring, al, pm, count, chordal, leaflet, clefts};
                   (!ring.empty() || !needs_ring) && mends_rightly(choice, needs_mending))
                 if (const auto branch = make_branch(choice)) branches_.push_back(*branch);
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
@@ -329,6 +331,14 @@ std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
   return offered;
 }
 
+/// Wherever the diagnosis finds clefts that leak.
+bool PlanSpace::sutures_clefts() {
+  if (!diagnosis_ || diagnosis_->clefts.empty() || has_step<EdgeToEdge>(rules_.fixed)) return false;
+  const bool forbidden = is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::CleftSuture));
+  if (forbidden) cut_.push_back({"suture of clefts", "forbidden"});
+  return !forbidden;
+}
+
 /// Of the posterior leaflet; null if it has none.
 const Lesion* PlanSpace::posterior_lesion() const {
   const auto found = std::find_if(lesions_.begin(), lesions_.end(), [](const Lesion& lesion) {
@@ -443,6 +453,12 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
                                           kLeafletWidthStep_mm, kFirstCommissural_mm));
       break;
   }
+  if (choice.clefts) {
+    double deepest_mm = 0.0;
+    for (const Cleft& cleft : diagnosis_->clefts) deepest_mm = std::max(deepest_mm, cleft.depth_mm);
+    parameters.push_back(make_parameter(ParameterOf::CleftWidth, 0, kCleftWidths_mm,
+                                        kLeafletWidthStep_mm, deepest_mm + kLeafletWidthStep_mm));
+  }
   // The middle of every branch must be possible; single points beyond are found out when they are
   // tried.
   if (!apply_plan(valve_, plan(branch, start_of(branch)), coordinates_)) return std::nullopt;
@@ -472,7 +488,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
   const Choice& choice = branch.choice;
   std::array<double, 2> movement{}, place{};
   std::array<double, 4> shift{}, length{};
-  double size = 0.0, shortening = 0.0, leaflet_width = 0.0;
+  double size = 0.0, shortening = 0.0, leaflet_width = 0.0, cleft_width = 0.0;
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Parameter& p = branch.parameters[k];
     const double value = p.lower + p.step * at[k];
@@ -499,6 +515,9 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
       case ParameterOf::LeafletWidth:
         leaflet_width = value;
         break;
+      case ParameterOf::CleftWidth:
+        cleft_width = value;
+        break;
     }
   }
   const Ringed& base = *ringed(choice.ring, size);
@@ -523,6 +542,10 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
     plan.steps.emplace_back(step);
   }
   add_leaflet_step(plan, choice.leaflet, leaflet_width);
+  if (choice.clefts)
+    for (const Cleft& cleft : diagnosis_->clefts)
+      plan.steps.emplace_back(
+          EdgeToEdge{EdgeDevice::CleftSuture, within(kEdgeAlong, cleft.along), cleft_width});
   const auto id = [this](int chorda) { return valve_.chordae[chorda].id; };
   switch (choice.chordal) {
     case ChordalChoice::None:

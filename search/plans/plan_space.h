@@ -13,6 +13,7 @@
 //                     lesions then have neochordae
 //   closure           of a commissure whose both scallops prolapse: a stitch over 4 to 12 mm (assumed); what 65 of 128 such
 //                     operations were ("Mitral valve repair for commissural prolapse", 1992 to 2004); other lesions then have neochordae
+//   cleft sutures     with every repair, where clefts leak: over 4 to 14 mm (assumed) of both edges from the root on
 //   chordal steps     on request: strut chordae cut where leaflets are tethered; chordae beside a lesion shortened; one transferred
 //   clip              on request, from edge to edge at the highest lesion, with its width
 // Without a diagnosis every ring and suture is offered, and neochordae where marginal chordae are ruptured.
@@ -66,6 +67,7 @@ class PlanSpace {
   std::vector<int> offer_neochordae();
   std::vector<ChordalChoice> offer_chordal();
   std::vector<LeafletChoice> offer_leaflet();
+  bool sutures_clefts();
   std::string why_no_lesion() const;
   const Lesion* posterior_lesion() const;
   std::vector<const Lesion*> held_by_neochordae(LeafletChoice leaflet) const;

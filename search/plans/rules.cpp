@@ -42,9 +42,9 @@ std::vector<std::string> known_words(const SearchRules& rules) {
   for (const char* word :
        {"neochorda", "neochorda:anterior", "neochorda:posterior", "chordal_length_change",
         "chordal_excision", "chordal_transfer", "edge_to_edge", "edge_to_edge:stitch",
-        "edge_to_edge:clip", "leaflet_resection", "leaflet_resection:triangular",
-        "leaflet_resection:quadrangular", "leaflet_resection:anterior",
-        "leaflet_resection:posterior"})
+        "edge_to_edge:clip", "edge_to_edge:cleft_suture", "leaflet_resection",
+        "leaflet_resection:triangular", "leaflet_resection:quadrangular",
+        "leaflet_resection:anterior", "leaflet_resection:posterior"})
     words.push_back(word);
   return words;
 }

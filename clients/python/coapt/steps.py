@@ -180,7 +180,8 @@ class PapillaryApproximation:
 
 @dataclass(frozen=True)
 class EdgeToEdge:
-    """Opposite points of both free edges held together, width_mm (2 to 15) along them: by a stitch (Alfieri) or a clip.
+    """Opposite points of both free edges held together, width_mm (2 to 15) along them: by a stitch (Alfieri) or a clip;
+    or the two edges of a cleft of the posterior leaflet ("cleft_suture"), width_mm from its root at along.
 
     Of a clip alone: grasp_mm (2 to 12) of each leaflet between the arms, rows (1 to 5) of ties over that, and by how many per
     cent (0 to 25) it draws the annulus in from front to back.
@@ -190,7 +191,7 @@ class EdgeToEdge:
     2
     """
 
-    device: Literal["stitch", "clip"] = "clip"
+    device: Literal["stitch", "clip", "cleft_suture"] = "clip"
     along: float = 0.5
     width_mm: float = 4.0
     grasp_mm: float = 5.0

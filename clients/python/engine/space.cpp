@@ -34,6 +34,8 @@ std::string name_of(const Parameter& parameter, const Choice& choice) {
       return "shortening_mm";
     case ParameterOf::LeafletWidth:
       return "leaflet_width_mm";
+    case ParameterOf::CleftWidth:
+      return "cleft_width_mm";
   }
   return {};
 }

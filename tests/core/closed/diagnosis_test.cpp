@@ -6,6 +6,7 @@
 
 #include "core/closed/closed_valve.h"
 #include "core/closed/diagnosis_sentence.h"
+#include "core/presets/human_presets.h"
 #include "core/valve/remodel.h"
 #include "core/valve/ruptures.h"
 #include "tests/scenes/small_preset.h"
@@ -72,6 +73,31 @@ TEST(Diagnosis, ARuptureIsFoundWhereItIs) {
   EXPECT_GT(found.segments[4].ruptured, 0);
   EXPECT_GT(found.segments[4].width_mm, 5.0);
   EXPECT_EQ(found.segments[1].ruptured, 0);
+}
+
+TEST(Diagnosis, DeepCleftsThatLeakAreTypeI) {
+  HumanValve human = human_normal();
+  human.dimensions.cleft_depth_mm = 8.0;
+  const Diagnosis found = *diagnosis_of(*make_human_valve(human));
+  ASSERT_EQ(found.clefts.size(), 2u);
+  EXPECT_EQ(found.types.front(), CarpentierType::I);
+  EXPECT_TRUE(clefts_explain(found));
+  const Cleft &lateral = found.clefts[0], &medial = found.clefts[1];
+  EXPECT_EQ(std::pair(lateral.first, lateral.second), std::pair(Segment::P1, Segment::P2));
+  EXPECT_EQ(std::pair(medial.first, medial.second), std::pair(Segment::P2, Segment::P3));
+  for (const Cleft& cleft : found.clefts) {
+    EXPECT_NEAR(cleft.share, 0.5, 0.1);
+    EXPECT_NEAR(cleft.depth_mm, 6.0, 1.5) << "the chord to the annulus is shorter than the leaflet";
+    EXPECT_GT(cleft.leak_mm2, kMildLeak_mm2);
+  }
+  EXPECT_NEAR(lateral.along, 1.0 / 3.0, 0.05);
+  EXPECT_NEAR(medial.along, 2.0 / 3.0, 0.05);
+  const std::string sentence = sentence_of(found);
+  EXPECT_NE(sentence.find("the clefts between P1 and P2 and between P2 and P3 leak"),
+            std::string::npos)
+      << sentence;
+  human.dimensions.cleft_depth_mm = 3.0;
+  EXPECT_TRUE(diagnosis_of(*make_human_valve(human))->clefts.empty()) << "an indentation seals";
 }
 
 TEST(Diagnosis, SaysInASentenceWhy) {

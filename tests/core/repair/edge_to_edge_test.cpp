@@ -6,6 +6,7 @@
 
 #include "core/closure/closure.h"
 #include "core/metrics/measure.h"
+#include "core/presets/human_presets.h"
 #include "core/presets/presets.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/annulus_frame.h"
@@ -52,9 +53,32 @@ TEST(EdgeToEdge, AClosedCommissureIsStitchedFromWhereTheLeafletsMeet) {
     const Tie& outermost = first ? closed.ties.front() : closed.ties.back();
     const Vec3 meets =
         rest_position_mm(valve, coordinates, {Leaflet::Anterior, first ? 0.0 : 1.0, 1.0});
-    EXPECT_LT((position(outermost.anterior, closed.faces, closed.rest_mm) - meets).norm(), 2.0);
-    EXPECT_LT((position(outermost.posterior, closed.faces, closed.rest_mm) - meets).norm(), 2.0);
+    // Less than an edge of this mesh.
+    EXPECT_LT((position(outermost.anterior, closed.faces, closed.rest_mm) - meets).norm(), 3.0);
+    EXPECT_LT((position(outermost.posterior, closed.faces, closed.rest_mm) - meets).norm(), 3.0);
   }
+}
+
+TEST(EdgeToEdge, SuturesOfACleftJoinItsTwoEdgesFromTheRootOn) {
+  HumanValve human = human_normal();
+  human.dimensions.cleft_depth_mm = 8.0;
+  const Valve cleft = *make_human_valve(human);
+  const EdgeToEdge step{EdgeDevice::CleftSuture, 1.0 / 3.0, 10.0};
+  const Valve sutured = repaired(cleft, step);
+  ASSERT_EQ(sutured.ties.size(), 5u);
+  double before = 0.0;
+  for (const Tie& tie : sutured.ties) {
+    for (const Insertion& end : {tie.anterior, tie.posterior}) {
+      const Segment segment = sutured.segments[static_cast<std::size_t>(end.face)];
+      EXPECT_TRUE(segment == Segment::P1 || segment == Segment::P2) << to_string(segment);
+    }
+    const double apart = distance_mm(sutured, tie, sutured.rest_mm);
+    EXPECT_GT(apart, before) << "the cleft widens towards its mouth";
+    before = apart;
+  }
+  const Valve both = repaired(sutured, {EdgeDevice::CleftSuture, 2.0 / 3.0, 10.0});
+  EXPECT_LT(measure(both, close_valve(both)).leak.area_mm2,
+            0.3 * measure(cleft, close_valve(cleft)).leak.area_mm2);
 }
 
 TEST(EdgeToEdge, AClipHasRowsOfTiesOverItsGraspAndDrawsTheAnnulusIn) {

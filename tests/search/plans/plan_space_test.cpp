@@ -489,6 +489,38 @@ TEST(PlanSpace, ACommissuralLesionIsHeldOnBothLeafletsFromItsOwnMuscle) {
   }
 }
 
+TEST(Indication, CleftsThatLeakAreSuturedInEveryRepair) {
+  const Valve& valve = shared_preset("human-normal", 200);
+  Diagnosis diagnosis = diagnosis_of({CarpentierType::I});
+  diagnosis.clefts = {{Segment::P1, Segment::P2, 0.35, 6.0, 0.5, 16.0},
+                      {Segment::P2, Segment::P3, 0.65, 6.4, 0.5, 11.0}};
+  const auto sutures_of = [](const RepairPlan& plan) {
+    std::vector<EdgeToEdge> sutures;
+    for (const RepairStep& step : plan.steps)
+      if (const auto* suture = std::get_if<EdgeToEdge>(&step)) sutures.push_back(*suture);
+    return sutures;
+  };
+  const PlanSpace space(valve, {}, diagnosis);
+  ASSERT_FALSE(space.branches().empty());
+  for (const Branch& branch : space.branches()) {
+    const auto sutures = sutures_of(space.plan(branch, start_of(branch)));
+    ASSERT_EQ(sutures.size(), 2u);
+    EXPECT_EQ(sutures[0].device, EdgeDevice::CleftSuture);
+    EXPECT_EQ(sutures[0].along, 0.35);
+    EXPECT_EQ(sutures[1].width_mm, 8.0) << "a step beyond the deepest root, at first";
+  }
+  SearchRules rules;
+  rules.forbidden = {"edge_to_edge:cleft_suture"};
+  const PlanSpace forbidden(valve, rules, diagnosis);
+  EXPECT_TRUE(is_cut(forbidden, "suture of clefts", "forbidden"));
+  for (const Branch& branch : forbidden.branches())
+    EXPECT_TRUE(sutures_of(forbidden.plan(branch, start_of(branch))).empty());
+  // A valve that may be competent may also be left as it is.
+  diagnosis.competent_sure = false;
+  const PlanSpace unsure(valve, {}, diagnosis);
+  EXPECT_TRUE(unsure.plan(unsure.branches().front(), {}).steps.empty());
+}
+
 TEST(Indication, ACommissureOfWhichBothScallopsProlapseMayBeClosed) {
   const Valve& valve = shared_preset("human-normal", 200);
   const auto closures = [&](const PlanSpace& space) {

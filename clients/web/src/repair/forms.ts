@@ -85,11 +85,7 @@ function edgeForm(step: EdgeToEdge, context: StepContext): HTMLElement {
     slider('Width', step.width_mm, EDGE_MM, 'mm', (width_mm, passing) =>
       context.change({ ...step, width_mm }, passing),
     ),
-    h(
-      'p',
-      { class: parts.hint },
-      'Holds opposite points of both free edges together. The two diastolic orifices are not computed.',
-    ),
+    h('p', { class: parts.hint }, 'Holds opposite points of both free edges, or both edges of a cleft, together.'),
   )
 }
 

@@ -18,6 +18,7 @@ export const EDGE_ALONG = { min: 0.05, max: 0.95, step: 0.01 }
 export const EDGE_DEVICES = [
   ['stitch', 'Stitch (Alfieri)'],
   ['clip', 'Clip'],
+  ['cleft_suture', 'Suture of a cleft'],
 ] as const
 export const RESECTION_ALONG = { min: 0.15, max: 0.85, step: 0.01 }
 export const RESECTION_HEIGHT = { min: 0.3, max: 0.95, step: 0.05 }
@@ -79,6 +80,8 @@ export function describe(step: Step): string {
     case 'neochorda':
       return `Neochorda from ${step.head} to ${placeWords(step.insertion)}, ${step.length_mm.toFixed(1)} mm`
     case 'edge_to_edge':
+      if (step.device === 'cleft_suture')
+        return `Suture of the cleft at ${segmentAt('posterior', step.along)}, ${step.width_mm.toFixed(1)} mm from its root`
       return `${step.device === 'clip' ? 'Clip' : 'Edge-to-edge stitch'} from ${segmentAt('anterior', step.along)} to ${segmentAt('posterior', step.along)}, ${step.width_mm.toFixed(1)} mm wide`
     case 'leaflet_resection':
       return step.shape === 'triangular'
