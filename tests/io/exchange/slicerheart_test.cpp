@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/presets/human_presets.h"
 #include "core/repair/apply_plan.h"
 #include "core/valve/validate.h"
 #include "io/exchange/markups.h"
@@ -86,6 +87,27 @@ TEST(SlicerHeart, TiesOfAClipComeBackAndHoldAsBefore) {
                      after = close_and_measure(*again).measure;
   EXPECT_NEAR(after.leak.area_mm2, before.leak.area_mm2,
               before.leak_error_mm2 + after.leak_error_mm2);
+}
+
+TEST(SlicerHeart, SuturesOfACleftComeBackOnThePosteriorLeaflet) {
+  HumanValve human = human_normal();
+  human.dimensions.cleft_depth_mm = 8.0;
+  const Valve sutured = *apply_plan(*make_human_valve(human),
+                                    {{EdgeToEdge{EdgeDevice::CleftSuture, 1.0 / 3.0, 10.0}}});
+  const Expected<Valve> again =
+      imported(folder_of(sutured), static_cast<int>(sutured.faces.rows()));
+  ASSERT_TRUE(again) << again.errors()[0].message;
+  ASSERT_EQ(again->ties.size(), sutured.ties.size());
+  for (std::size_t i = 0; i < sutured.ties.size(); ++i)
+    for (const auto end : {&Tie::anterior, &Tie::posterior}) {
+      const auto at_mm = [&](const Valve& valve) {
+        return position(valve.ties[i].*end, valve.faces, valve.rest_mm);
+      };
+      const Insertion& landed = again->ties[i].*end;
+      const Segment on = again->segments[static_cast<std::size_t>(landed.face)];
+      EXPECT_TRUE(on == Segment::P1 || on == Segment::P2) << to_string(on);
+      EXPECT_LT((at_mm(*again) - at_mm(sutured)).norm(), 2.0) << "an edge of the new mesh is 3 mm";
+    }
 }
 
 TEST(SlicerHeart, ATieThatIsNoneOrFarFromItsLeafletIsRefused) {
