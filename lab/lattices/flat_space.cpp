@@ -46,6 +46,8 @@ std::string word(const Parameter& parameter) {
       return "shortening";
     case ParameterOf::LeafletWidth:
       return "leaflet_width";
+    case ParameterOf::CleftWidth:
+      return "cleft_width";
   }
   return "";
 }

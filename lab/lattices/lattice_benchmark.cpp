@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "core/presets/presets.h"
 #include "core/valve/remodel.h"
+#include "search/plans/durability.h"
 #include "search/plans/exploration.h"
+#include "search/plans/ranking.h"
 
 namespace coapt {
 namespace {
@@ -52,6 +55,13 @@ std::vector<LatticeCase> lattice_cases(const Valve& real) {
   };
 }
 
+LatticeCase by_rule(LatticeCase lattice) {
+  lattice.by_rule = true;
+  lattice.rules.suture_lattice_mm = 2.0;
+  lattice.rules.neochorda_lattice_mm = 8.0;
+  return lattice;
+}
+
 LatticePlans plans_of(const PlanSpace& space, const FlatSpace& flat, PlanEvaluations& evaluations) {
   const std::vector<FlatVariable>& variables = flat.variables();
   std::size_t combinations = 1;
@@ -85,25 +95,40 @@ std::optional<SolvedLattice> solve_lattice(const LatticeCase& lattice, int threa
   closing.threads = threads;
   closing.known = context.known;
   closing.keep = context.keep;
+  closing.guide_by_price = !lattice.by_rule;
+  if (lattice.by_rule) closing.open = context.open ? context.open : Opener{open_plan};
   PlanEvaluations evaluations(evaluate, lattice.valve, std::move(closing), monitor);
   solved.before = evaluations.before();
   const auto [plans, numbers] = plans_of(*solved.space, *solved.flat, evaluations);
   for (const int number : numbers) solved.plans.push_back(std::max(0, number));
-  monitor.plan(1 + kChosenBy * static_cast<int>(plans.size()), "solving lattice " + lattice.name);
+  monitor.plan(
+      1 + (kChosenBy + (lattice.by_rule ? kDisease.count : 0)) * static_cast<int>(plans.size()),
+      "solving lattice " + lattice.name);
   for (std::size_t first = 0; first < plans.size(); first += kPortion) {
     std::vector<PlanEvaluations::Wanted> wanted;
     for (std::size_t i = first; i < std::min(plans.size(), first + kPortion); ++i)
       for (int d = 0; d < kChosenBy; ++d) wanted.push_back({plans[i], d});
     if (!evaluations.close(wanted, PlanEvaluations::Phase::Ranking)) return std::nullopt;
+    if (!lattice.by_rule) continue;
+    const std::vector<PlanRecord*> portion(
+        plans.begin() + static_cast<std::ptrdiff_t>(first),
+        plans.begin() + static_cast<std::ptrdiff_t>(std::min(plans.size(), first + kPortion)));
+    if (!evaluations.open(portion, PlanEvaluations::Phase::Ranking) ||
+        !close_disease(evaluations, portion, PlanEvaluations::Phase::Ranking))
+      return std::nullopt;
   }
   for (const PlanRecord* plan : plans) {
-    solved.sorted_costs.push_back(evaluations.cost(*plan, kChosenBy));
+    solved.sorted_costs.push_back(evaluations.guide(*plan, kChosenBy));
     solved.closures[plan->key] = plan->closures;
+    if (plan->opening) solved.openings.emplace(plan->key, *plan->opening);
+    solved.closures_a_plan +=
+        static_cast<double>(plan->closures.size()) + (plan->opening ? kOpeningClosures : 0);
   }
+  solved.closures_a_plan /= static_cast<double>(plans.size());
   for (const int number : numbers)
     solved.costs.push_back(
         number < 0 ? std::numeric_limits<double>::infinity()
-                   : evaluations.cost(*plans[static_cast<std::size_t>(number)], kChosenBy));
+                   : evaluations.guide(*plans[static_cast<std::size_t>(number)], kChosenBy));
   std::sort(solved.sorted_costs.begin(), solved.sorted_costs.end());
   solved.seconds = monitor.seconds();
   return solved;
@@ -117,17 +142,29 @@ LatticeRun search_lattice(const SolvedLattice& lattice, const SearchOptions& opt
   PlanEvaluationOptions closing;
   closing.threads = 1;
   closing.known = lattice.closures;
-  closing.guide_by_price = true;  // as rivals are
+  closing.guide_by_price = !lattice.of.by_rule;  // as rivals are
+  if (lattice.of.by_rule)
+    closing.open = [](const Valve&) -> PlanOpening {
+      throw std::logic_error("an opening that was not solved");
+    };
+  closing.known_openings = lattice.openings;
   PlanEvaluations evaluations(evaluate, lattice.of.valve, std::move(closing), monitor);
   SearchOptions alone = options;
   alone.threads = 1;
   const ExplorationState exploration = explore({evaluations, *lattice.space, alone, monitor});
   LatticeRun run;
   run.improvements = exploration.scored_progress;
-  run.closures = evaluations.closures() - 1;
+  run.closures = evaluations.closures() - 1 + kOpeningClosures * evaluations.openings();
   run.winner = std::numeric_limits<double>::infinity();
-  for (PlanRecord* plan : best_plans(exploration, 1))
-    if (evaluations.close_here(*plan, kChosenBy)) run.winner = evaluations.cost(*plan, kChosenBy);
+  for (PlanRecord* plan : best_plans(exploration, lattice.of.by_rule ? kFinalists : 1)) {
+    if (!evaluations.close_here(*plan, kChosenBy)) continue;
+    if (lattice.of.by_rule) {
+      const std::vector<PlanRecord*> finalist = {plan};
+      evaluations.open(finalist, PlanEvaluations::Phase::Ranking);
+      close_disease(evaluations, finalist, PlanEvaluations::Phase::Ranking);
+    }
+    run.winner = std::min(run.winner, evaluations.guide(*plan, kChosenBy));
+  }
   return run;
 }
 

@@ -1,6 +1,7 @@
 #include "lab/lattices/rival_runs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -36,12 +37,15 @@ std::string outside_program(const std::string& given) {
 rivals::MeasuredRun measured_run(const RivalTask& task, int budget, const std::string& outside) {
   const std::vector<std::string> here = rivals::rival_names();
   const double best = task.lattice->sorted_costs.front();
+  const auto paid = [&](int plans) {
+    return static_cast<int>(std::lround(task.lattice->closures_a_plan * plans));
+  };
   rivals::MeasuredRun run{task.method, task.lattice->of.name, task.seed, {}, 0};
   if (task.method == "coapt") {
     SearchOptions options;
     options.seed = task.seed;
     options.plans = 1;
-    options.evaluations = kChosenBy * budget;
+    options.evaluations = paid(budget);
     const LatticeRun ours = search_lattice(*task.lattice, options);
     for (const Progress& step : ours.improvements)
       run.improvements.emplace_back(step.closures - 1, step.cost - best);
@@ -50,21 +54,21 @@ rivals::MeasuredRun measured_run(const RivalTask& task, int budget, const std::s
     const rivals::RivalRun theirs =
         rivals::run_rival(table_of(*task.lattice), {task.method, task.seed, budget, {}});
     for (const rivals::Improvement& step : theirs.improvements)
-      run.improvements.emplace_back(kChosenBy * step.evaluations, step.cost - best);
-    run.spent = kChosenBy * theirs.evaluations;
+      run.improvements.emplace_back(paid(step.evaluations), step.cost - best);
+    run.spent = paid(theirs.evaluations);
   } else {
     std::ostringstream command;
     command << '\'' << outside << "' '" << task.file << "' " << task.method << ' ' << task.seed
             << ' ' << budget;
-    run.spent = kChosenBy * budget;  // if it was killed
+    run.spent = paid(budget);  // if it was killed
     for (const std::string& line : lines_of(command.str())) {
       const std::size_t second = line.find(',', line.find(',') + 1);
       int evaluations = 0;
       double cost = 0.0;
       if (second == std::string::npos) continue;
       const int read = std::sscanf(line.c_str() + second, ",%d,%lf", &evaluations, &cost);
-      if (read == 2) run.improvements.emplace_back(kChosenBy * evaluations, cost - best);
-      if (read == 1 && line.ends_with(",end")) run.spent = kChosenBy * evaluations;
+      if (read == 2) run.improvements.emplace_back(paid(evaluations), cost - best);
+      if (read == 1 && line.ends_with(",end")) run.spent = paid(evaluations);
     }
   }
   return run;

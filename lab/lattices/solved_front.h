@@ -7,9 +7,6 @@
 
 namespace coapt {
 
-/// An opening takes about as long as so many closures of a search.
-inline constexpr int kOpeningClosures = 5;
-
 struct PlanOutcome {
   std::optional<TradeOff> trade_off;  ///< none: practice does not accept it
   double leak_mm2 = 0.0;              ///< mean + sd over the nodes closed
