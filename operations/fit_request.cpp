@@ -12,8 +12,10 @@ MeasuredSide read_measured_side(const JsonPlace& place) {
 
 void read_known(const JsonPlace& place, FitUnknowns& unknowns) {
   read_array(place, [&](const JsonPlace& entry) {
-    bool* const kept[] = {&unknowns.slack, &unknowns.tips, &unknowns.prestretch, &unknowns.hidden};
-    if (const auto known = read_choice(entry, {"slack", "tips", "prestretch", "hidden"}))
+    bool* const kept[] = {&unknowns.slack, &unknowns.tips, &unknowns.prestretch,
+                          &unknowns.stiffness, &unknowns.hidden};
+    if (const auto known =
+            read_choice(entry, {"slack", "tips", "prestretch", "stiffness", "hidden"}))
       *kept[*known] = false;
   });
 }

@@ -98,6 +98,8 @@ const std::array<ModelParameter, kModelParameters>& model_parameters() {
   return kParameters;
 }
 
+const ModelParameter& post_moduli() { return model_parameters()[kPostModuli]; }
+
 double model_factor(const ModelParameter& parameter, double share) {
   const double end = share < 0.5 ? parameter.lower : parameter.upper;
   return std::pow(end, std::abs(2.0 * share - 1.0));
@@ -109,6 +111,7 @@ Expected<Valve> with_model(const Valve& valve, const std::vector<double>& shares
   for (std::size_t i = 0; i < factor.size(); ++i)
     factor[i] = model_factor(model_parameters()[i], shares[i]);
   if (is_fitted(valve, "slack_")) factor[kChordalLength] = 1.0;
+  if (is_fitted(valve, "stiffness")) factor[kPostModuli] = 1.0;
   if (is_fitted(valve, "prestretch_"))
     factor[kCircumferentialTransition] = factor[kRadialTransition] = 1.0;
   Valve drawn = valve;

@@ -22,6 +22,9 @@ struct ModelParameter {
 inline constexpr int kModelParameters = 9;
 const std::array<ModelParameter, kModelParameters>& model_parameters();
 
+/// Of the moduli above the transition.
+const ModelParameter& post_moduli();
+
 /// Of a parameter at a share in [0, 1]; exactly 1 at a half.
 double model_factor(const ModelParameter& parameter, double share);
 

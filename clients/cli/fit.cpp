@@ -207,11 +207,12 @@ void add_fit(Command parent, int& status) {
       .check(number_from(0.01, 1000.0))
       .show_default();
   command
-      .add_option("--known", arguments->known,
-                  "Do not fit these: slack (chordal lengths), tips, prestretch, hidden (leaflet "
-                  "height hidden in coaptation)")
-      .one_of({"slack", "tips", "prestretch", "hidden"})
-      .count(1, 4);
+      .add_option(
+          "--known", arguments->known,
+          "Do not fit these: slack (chordal lengths), tips, prestretch, stiffness (moduli of the "
+          "leaflets above the transition), hidden (leaflet height hidden in coaptation)")
+      .one_of({"slack", "tips", "prestretch", "stiffness", "hidden"})
+      .count(1, 5);
   command
       .add_option("--slack-sd", unknowns.slack_sd,
                   "Prior standard deviation of chordal lengths, as a fraction of the length")
@@ -257,10 +258,12 @@ void add_fit(Command parent, int& status) {
   command.footer(
       "The fit adjusts parameters that images do not show, each within three standard deviations "
       "of\nits prior: chordal lengths by group and muscle, positions of the papillary tips, in "
-      "vivo\nprestretch of the tissue, and leaflet height below the coaptation line. It reports "
-      "the\nposterior uncertainty of each parameter and which of them the data do not constrain. "
-      "The exit\ncode is 3 if the fit stopped before convergence, if more than 2 mm rms remain, or "
-      "if the\nsurface has fewer independent points than there are parameters.\n\n"
+      "vivo\nprestretch of the tissue, its stiffness above the transition, and leaflet height "
+      "below "
+      "the\ncoaptation line. It reports the posterior uncertainty of each parameter and which of "
+      "them the data\ndo not constrain. The exit code is 3 if the fit stopped before convergence, "
+      "if more than 2 mm rms\nremain, or if the surface has fewer independent points than there "
+      "are parameters.\n\n"
       "Examples:\n"
       "  coapt fit valve.json --closed systole.stl -o fitted.json --map residual.png\n"
       "  coapt fit valve.json --closed systole.vtk --leak 35 --leak-sd 10 -o fitted.json --json\n"

@@ -156,6 +156,8 @@ std::string leak_of(const Diagnosis& diagnosis, const Estimate& leak) {
   if (!cause) return with_error(diagnosis.leak_mm2, diagnosis.leak_error_mm2, "mm²");
   const EstimateWords words = words_of(leak);
   if (words.interval.empty()) return words.value + " mm²";
+  if (*cause == ErrorCause::Tissue && tissue_excludes_value(leak))
+    return words.value + " mm² (" + words.interval + " mm² " + words.cause + ")";
   return words.value + " mm² (" + words.interval + " mm² with " + to_string(*cause) + " error)";
 }
 

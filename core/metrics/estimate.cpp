@@ -31,7 +31,14 @@ const std::optional<Interval>& part_of(const Estimate& estimate, ErrorCause caus
   return estimate.execution;
 }
 
+bool tissue_excludes_value(const Estimate& estimate) {
+  if (!estimate.tissue) return false;
+  const Interval computed = estimate.numerical.value_or(Interval{estimate.value, estimate.value});
+  return computed.high < estimate.tissue->low || computed.low > estimate.tissue->high;
+}
+
 std::optional<ErrorCause> widest(const Estimate& estimate) {
+  if (tissue_excludes_value(estimate)) return ErrorCause::Tissue;
   std::optional<ErrorCause> cause;
   double width = -1.0;
   for (const ErrorCause of : {ErrorCause::Numerical, ErrorCause::Tissue, ErrorCause::Execution}) {

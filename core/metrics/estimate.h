@@ -32,10 +32,13 @@ const char* to_string(ErrorCause cause);  ///< "numerical", "tissue", "execution
 
 const std::optional<Interval>& part_of(const Estimate& estimate, ErrorCause cause);
 
-/// Of the widest known interval; NaN if nothing is known.
+/// Of the interval of widest(); NaN if nothing is known.
 double half_width(const Estimate& estimate);
 
-/// The cause of the widest known interval, the first of equal ones; none if nothing is known.
+/// The tissue's interval and that of the computation (or the value) have no value in common: observations contradict the tissue of the file.
+bool tissue_excludes_value(const Estimate& estimate);
+
+/// The cause of the widest known interval, the first of equal ones, but the tissue where it excludes the value; none if nothing is known.
 std::optional<ErrorCause> widest(const Estimate& estimate);
 
 /// Of an area, which is not below 0, with an error that nine of ten keep; none if either is not finite.

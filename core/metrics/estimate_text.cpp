@@ -69,9 +69,12 @@ EstimateWords words_of(const Estimate& estimate) {
   const double half = half_width(estimate);
   if (*cause == ErrorCause::Numerical && wide.low <= estimate.value && estimate.value <= wide.high)
     return {with_error(estimate.value, wide.high - estimate.value), "", "± numerical error"};
-  return {known_digits(estimate.value, half),
-          known_digits(wide.low, half) + " to " + known_digits(wide.high, half),
-          "with " + std::string(error_words(*cause)) + " (5 to 95 %)"};
+  const std::string value = known_digits(estimate.value, half);
+  const std::string interval =
+      known_digits(wide.low, half) + " to " + known_digits(wide.high, half);
+  if (*cause == ErrorCause::Tissue && tissue_excludes_value(estimate))
+    return {interval, value, "with the tissue of its file"};
+  return {value, interval, "with " + std::string(error_words(*cause)) + " (5 to 95 %)"};
 }
 
 }  // namespace coapt

@@ -4,8 +4,8 @@
   lab/charts/valve_sheet.py [OUTPUT] [--plans] [--coapt build/release/bin/coapt]
 
 The pictures of `coapt close --render` and `coapt open --render`, cut to their views. Eight valves: six presets, a clip behind which it leaks on one
-side, and a healthy valve whose loose commissural chordae let a commissure fold. With --plans six diseased valves, each before and after the first
-plan of a search (300 evaluations, a minute of a core each).
+side, and a healthy valve whose loose commissural chordae let a commissure fold. With --plans six diseased valves, four presets and two that are
+made from the healthy one, each before and after the first plan of a search (300 evaluations, a minute of a core each).
 """
 
 import argparse
@@ -20,6 +20,8 @@ from PIL import Image, ImageDraw, ImageFont
 CALIBRATED = "examples/calibration/human-normal.json"
 EDGE_TO_EDGE = "examples/plans/edge-to-edge.json"
 FOLDING = ["--commissural-slack", "1.4", "--commissure-height-mm", "8"]
+COMMISSURE = ["--rupture", "A1", "--rupture", "P1", "--ap-dilation", "10"]
+CLEFTS = ["--cleft-depth-mm", "8"]
 # Name and what is written over it; a valve is a preset, or made below.
 VALVES = {
     "human-normal": "normal",
@@ -33,11 +35,11 @@ VALVES = {
 }
 REPAIRED = {
     "human-functional-mr": "functional (tethered)",
-    "secondary-mr": "secondary",
     "human-p2-prolapse": "prolapse of P2",
-    "fibroelastic-flail": "flail P2",
+    "commissure": "flail anterolateral commissure",
     "barlow": "Barlow",
     "marfan": "Marfan",
+    "clefts": "clefts on either side of P2",
 }
 EVALUATIONS = 300
 ATRIAL, SECTION = (20, 120, 890, 830), (950, 100, 1580, 620)  # of a picture, pixels
@@ -59,6 +61,14 @@ def made_valve(coapt, name, folder):
         valve = folder / "fold.json"
         subprocess.run([coapt, "valve", "make", "--dimensions", CALIBRATED, *FOLDING, "-o", valve], check=True)
         return valve, []
+    if name == "commissure":
+        valve = folder / "commissure.json"
+        subprocess.run([coapt, "valve", "remodel", "human-normal", *COMMISSURE, "-o", valve], check=True)
+        return valve, []
+    if name == "clefts":
+        valve = folder / "clefts.json"
+        subprocess.run([coapt, "valve", "make", "--dimensions", CALIBRATED, *CLEFTS, "-o", valve], check=True)
+        return valve, []
     return name, []
 
 
@@ -67,9 +77,9 @@ def kept_plan(plan, file):
     return ["--plan", file]
 
 
-def first_plan(coapt, name, folder):
+def first_plan(coapt, name, valve, folder):
     """Options for the first plan of a search, and its steps in words."""
-    command = [coapt, "plan", name, "--evaluations", str(EVALUATIONS), "--json"]
+    command = [coapt, "plan", valve, "--threads", "1", "--evaluations", str(EVALUATIONS), "--json"]
     told = subprocess.run(command, capture_output=True, text=True, check=True)
     first = json.loads(told.stdout)["plans"][0]
     return kept_plan(first["plan"], folder / f"{name}-plan.json"), "; ".join(first["description"])
@@ -114,13 +124,14 @@ def valve_column(coapt, name, folder):
 
 
 def plan_column(coapt, name, folder):
-    plan, words = first_plan(coapt, name, folder)
-    before, leak = make_picture(coapt, "close", name, [], folder / f"{name}-before.png")
-    closed, left = make_picture(coapt, "close", name, plan, folder / f"{name}-closed.png")
-    opened, opening = make_picture(coapt, "open", name, plan, folder / f"{name}-open.png")
+    valve, _ = made_valve(coapt, name, folder)
+    plan, words = first_plan(coapt, name, valve, folder)
+    before, leak = make_picture(coapt, "close", valve, [], folder / f"{name}-before.png")
+    closed, left = make_picture(coapt, "close", valve, plan, folder / f"{name}-closed.png")
+    opened, opening = make_picture(coapt, "open", valve, plan, folder / f"{name}-open.png")
     views = [(before, ATRIAL), (before, SECTION), (closed, ATRIAL), (closed, SECTION), (opened, ATRIAL)]
     lines = (textwrap.wrap(words, 46) + WORDS * [""])[:WORDS]
-    figures = f"{leak} → {left.removeprefix('leak ')}, {opening}"
+    figures = f"{leak.removesuffix(' mm²')} → {left.removeprefix('leak ')}, {opening}"
     return column("\n".join([REPAIRED[name], figures, *lines]), [cell(*view) for view in views])
 
 

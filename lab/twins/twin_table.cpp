@@ -24,7 +24,7 @@ struct Judged {
   }
 };
 
-/// "slack", "tip", "prestretch", "hidden".
+/// "slack", "tip", "prestretch", "stiffness", "hidden".
 std::string kind_of(const std::string& name) { return name.substr(0, name.find('_')); }
 
 std::string share(int part, std::size_t whole) {

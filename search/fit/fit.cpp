@@ -67,12 +67,13 @@ Eigen::VectorXd shift(const FitProblem& problem, const Eigen::VectorXd& from,
   return by;
 }
 
-/// Of a slack in shares of the fitted length, of others as they are.
+/// Of a slack in shares of the fitted length, of the stiffness in shares of the fitted one, of others as they are.
 FittedValues uncertainty(const ValveFit& fit) {
   FittedValues fitted;
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(fit.covariance.rows());
   for (const FittedParameter& found : fit.parameters) {
-    if (std::holds_alternative<ChordalGroup>(found.parameter.changes))
+    if (std::holds_alternative<ChordalGroup>(found.parameter.changes) ||
+        std::holds_alternative<Stiffness>(found.parameter.changes))
       scale(std::ssize(fitted.parameters)) = 1.0 / found.value;
     fitted.parameters.push_back(found.parameter.name);
   }

@@ -9,6 +9,7 @@
 #include "core/valve/leaflets.h"
 #include "core/valve/ruptures.h"
 #include "core/valve/validate.h"
+#include "search/model_draw.h"
 
 namespace coapt {
 namespace {
@@ -129,6 +130,11 @@ void add_prestretch(const Tissue& tissue, const FitUnknowns& unknowns,
   add("prestretch_radial", tissue.radial_prestretch, unknowns.radial_prestretch_sd, true);
 }
 
+void add_stiffness(double sd, std::vector<FitParameter>& parameters) {
+  const ModelParameter& drawn = post_moduli();
+  parameters.push_back({"stiffness", "1", 1.0, sd, drawn.lower, drawn.upper, Stiffness{}});
+}
+
 /// Direction in which the leaflet's height grows at each vertex, mean of the faces around it.
 Points down_the_leaflet(const Valve& valve, const std::vector<double>& height) {
   Points down = Points::Zero(valve.rest_mm.rows(), 3);
@@ -191,6 +197,7 @@ std::vector<FitParameter> fit_parameters(const Valve& valve, const FitUnknowns& 
   if (unknowns.tips) add_tips(muscles, unknowns.tip_sd_mm, parameters);
   if (unknowns.prestretch && valve.tissue.reference == TissueReference::InVivo)
     add_prestretch(valve.tissue, unknowns, parameters);
+  if (unknowns.stiffness) add_stiffness(unknowns.stiffness_sd, parameters);
   if (unknowns.hidden && is_mitral(valve)) add_hidden(valve, unknowns.hidden_sd_mm, parameters);
   return parameters;
 }
@@ -217,6 +224,10 @@ Expected<Valve> with_parameters(const Valve& valve, const std::vector<FitParamet
                    [&](const Prestretch& stretch) {
                      (stretch.radial ? changed.tissue.radial_prestretch
                                      : changed.tissue.circumferential_prestretch) = value;
+                   },
+                   [&](const Stiffness&) {
+                     changed.tissue.circumferential_post_kpa *= value;
+                     changed.tissue.radial_post_kpa *= value;
                    },
                    [&](const HiddenHeight& hidden) { changed.rest_mm += value * hidden.per_mm; }},
         parameters[i].changes);

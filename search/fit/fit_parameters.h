@@ -1,5 +1,6 @@
 // What images do not show of a valve, as numbers that a fit may change: how slack the chordae are, where the papillary
-// tips are, how far the tissue is stretched in the unpressurised heart, how much of the leaflets hides in coaptation.
+// tips are, how far the tissue is stretched in the unpressurised heart, how stiff it is beyond its transition, how much of the
+// leaflets hides in coaptation.
 #pragma once
 
 #include <string>
@@ -26,6 +27,9 @@ struct Prestretch {
   bool radial = false;
 };
 
+/// Tissue::circumferential_post_kpa and radial_post_kpa, by one factor.
+struct Stiffness {};
+
 /// Leaflet below half its height, which coaptation hides: longer by so much at the free edge, less above.
 struct HiddenHeight {
   Points per_mm;  ///< |V| x 3, by which each vertex of Valve::rest_mm moves
@@ -36,7 +40,7 @@ struct FitParameter {
   std::string unit;  ///< "mm" or "1"
   double prior = 0.0, prior_sd = 0.0;
   double lower = 0.0, upper = 0.0;  ///< that the fit keeps
-  std::variant<ChordalGroup, TipPlace, Prestretch, HiddenHeight> changes;
+  std::variant<ChordalGroup, TipPlace, Prestretch, Stiffness, HiddenHeight> changes;
 };
 
 /// Which of them are unknown.
@@ -44,16 +48,19 @@ struct FitUnknowns {
   bool slack = true;
   bool tips = true;
   bool prestretch = true;  ///< of tissue whose reference is InVivo; an excised one has none
+  bool stiffness = true;   ///< of the leaflets, beyond their transition
   bool hidden = true;      ///< of mitral leaflets
   double slack_sd = 0.06;  ///< of the factor; assumed
   double tip_sd_mm = 1.0;  ///< of each coordinate: a tip that was seen in an echo; assumed
   /// What peak strains of ovine anterior leaflets differ by: 5.0 +- 2.7 % and 7.8 +- 4.3 % (57 sheep, PMC3111015).
   double circumferential_prestretch_sd = 0.027, radial_prestretch_sd = 0.043;
+  /// Of the factor, within the bounds that draws of the model have, too (search/model_draw.h): 0.5 to 3.
+  double stiffness_sd = 0.6;
   double hidden_sd_mm = 1.5;  ///< assumed
 };
 
-/// In the order slack, tips, prestretch, hidden. Muscles of a valve that is not mitral are heads less than 5 mm from one
-/// another, named by their first: slack_septal_8598, tip_8598_x. Bounds: three standard deviations, and where validate() would refuse.
+/// In the order slack, tips, prestretch, stiffness, hidden. Muscles of a valve that is not mitral are heads less than 5 mm from one
+/// another, named by their first: slack_septal_8598, tip_8598_x. Bounds: three standard deviations (of the stiffness: those of draws of the model), and where validate() would refuse.
 std::vector<FitParameter> fit_parameters(const Valve& valve, const FitUnknowns& unknowns);
 
 /// The valve with its parameters at these values. Errors: what validate() refuses.

@@ -24,7 +24,19 @@ class Fit(ProgramTest):
     def test_tips_are_found_and_the_fitted_valve_closes_onto_the_surface(self):
         given, truth, closed = self.displaced()
         fitted, picture = self.folder / "fitted.json", self.folder / "map.png"
-        options = ["--side", "middle", "--known", "slack", "prestretch", "hidden", "-o", fitted, "--map", picture]
+        options = [
+            "--side",
+            "middle",
+            "--known",
+            "slack",
+            "prestretch",
+            "stiffness",
+            "hidden",
+            "-o",
+            fitted,
+            "--map",
+            picture,
+        ]
         found = json.loads(self.run_ok("fit", given, "--closed", closed, *options, "--json").stdout)
         self.assertEqual(found["schema"], "coapt.fit/1")
         self.assertLess(found["rms_mm"], 0.05)
@@ -55,7 +67,7 @@ class Fit(ProgramTest):
         whole.write_text(json.dumps(valve))
         closed, fitted = self.folder / "closed.ply", self.folder / "fitted.json"
         self.run_ok("export", torn, "--frame", "valve", "-o", closed)
-        options = ["--side", "middle", "--known", "tips", "prestretch", "hidden", "-o", fitted]
+        options = ["--side", "middle", "--known", "tips", "prestretch", "stiffness", "hidden", "-o", fitted]
         found = json.loads(coapt("fit", whole, "--closed", closed, *options, "--ruptured", "--json").stdout)
         taken = [of["name"] for of in found["hypotheses"] if of["taken"]]
         self.assertEqual(taken, ["ruptured_P2"])
@@ -89,6 +101,7 @@ class Fit(ProgramTest):
             "--known",
             "slack",
             "prestretch",
+            "stiffness",
             "hidden",
             "-o",
             self.folder / "f.json",
@@ -116,7 +129,7 @@ class Fit(ProgramTest):
             (["--closed", given], "must end in one of"),
             (["--closed", closed, "--frame", "patient"], "/patient_frame: is missing"),
             (
-                ["--closed", closed, "--known", "slack", "tips", "prestretch", "hidden"],
+                ["--closed", closed, "--known", "slack", "tips", "prestretch", "stiffness", "hidden"],
                 "--known: excludes every parameter",
             ),
             (["--closed", closed, "--leak", "nan"], "--leak"),

@@ -160,7 +160,7 @@ class Imports(ClientTest):
 
         surface = self.folder / "closed.stl"
         surface.write_bytes(self.client.export(plain.valve, "stl"))
-        fit = coapt.Fit(surface, side="middle", known=["slack", "prestretch", "hidden"], rounds=2)
+        fit = coapt.Fit(surface, side="middle", known=["slack", "prestretch", "stiffness", "hidden"], rounds=2)
         job = self.client.import_job([skirt], annulus, chordae, triangles=300, fit=fit)
         seen = []
         fitted = job.wait(seen.append).result()

@@ -106,6 +106,15 @@ TEST(ModelDraw, NeochordaeKeepTheirLengthAndModulus) {
   EXPECT_EQ(is.modulus_kpa, valve.tissue.chordae_kpa);
 }
 
+TEST(ModelDraw, WhatAFitHasFoundIsNotDrawnAgain) {
+  Valve valve = shared_preset("human-normal", 150);
+  std::vector<double> shares = at_half();
+  shares[index_of("moduli above the transition")] = 1.0;
+  EXPECT_EQ(with_model(valve, shares)->tissue.radial_post_kpa, 3.0 * valve.tissue.radial_post_kpa);
+  valve.fitted = FittedValues{{"stiffness"}, Eigen::MatrixXd::Identity(1, 1)};
+  EXPECT_EQ(with_model(valve, shares)->tissue.radial_post_kpa, valve.tissue.radial_post_kpa);
+}
+
 TEST(ModelDraw, AllEndsOfThePresetsAreValidValves) {
   for (const std::string& name : preset_names()) {
     const Valve& valve = shared_preset(name, 150);

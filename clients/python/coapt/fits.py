@@ -13,7 +13,7 @@ from .meshes import Picture
 from .stored import ImportDecision
 from .transport import Transport
 
-Known = Literal["slack", "tips", "prestretch", "hidden"]
+Known = Literal["slack", "tips", "prestretch", "stiffness", "hidden"]
 
 
 def fit_target(

@@ -75,6 +75,14 @@ TEST(Diagnosis, ARuptureIsFoundWhereItIs) {
   EXPECT_EQ(found.segments[1].ruptured, 0);
 }
 
+TEST(Diagnosis, SaysFirstWhatObservationsLeaveOfTheLeak) {
+  const std::string sentence = sentence_of(of_preset("human-functional-mr"),
+                                           {58.0, Interval{52.0, 64.0}, Interval{21.2, 37.4}});
+  EXPECT_EQ(sentence.rfind("The valve leaks 21 to 37 mm² (58 mm² with the tissue of its file) ", 0),
+            0u)
+      << sentence;
+}
+
 TEST(Diagnosis, DeepCleftsThatLeakAreTypeI) {
   HumanValve human = human_normal();
   human.dimensions.cleft_depth_mm = 8.0;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/metrics/estimate_text.h"
 #include "core/metrics/quantile.h"
 
 namespace coapt {
@@ -50,6 +51,20 @@ TEST(Estimate, OfFewSamplesIsNotKnown) {
   ASSERT_TRUE(of);
   EXPECT_EQ(of->low, 0.0) << "of five values nine of ten are all";
   EXPECT_EQ(of->high, 4.0);
+}
+
+TEST(Estimate, GivesWayToTheTissueThatExcludesIt) {
+  Estimate leak{58.0, Interval{52.0, 64.0}, Interval{21.2, 37.4}};
+  EXPECT_TRUE(tissue_excludes_value(leak));
+  EXPECT_EQ(words_of(leak).value, "21 to 37");
+  EXPECT_EQ(words_of(leak).interval, "58");
+  EXPECT_EQ(words_of(leak).cause, "with the tissue of its file");
+  leak.tissue = Interval{30.0, 36.0};  // narrower than the error of the computation
+  EXPECT_EQ(widest(leak), ErrorCause::Tissue);
+  leak.tissue = Interval{21.2, 53.0};
+  EXPECT_FALSE(tissue_excludes_value(leak)) << "the computation may be so far off";
+  leak.numerical.reset();
+  EXPECT_TRUE(tissue_excludes_value(leak));
 }
 
 TEST(Estimate, ShowsItsWidestPart) {

@@ -50,6 +50,15 @@ TEST(FitParameters, PriorsAreTheValveItself) {
   EXPECT_LT((same->fibre - example.valve.fibre).norm(), 1e-12);
 }
 
+TEST(FitParameters, StiffnessIsOfTheModuliAboveTheTransitionAlone) {
+  const Example example = human();
+  const Tissue &own = example.valve.tissue, stiff = example.with("stiffness", 2.0).tissue;
+  EXPECT_EQ(stiff.circumferential_post_kpa, 2.0 * own.circumferential_post_kpa);
+  EXPECT_EQ(stiff.radial_post_kpa, 2.0 * own.radial_post_kpa);
+  EXPECT_EQ(stiff.circumferential_pre_kpa, own.circumferential_pre_kpa);
+  EXPECT_EQ(stiff.chordae_kpa, own.chordae_kpa);
+}
+
 TEST(FitParameters, EveryChordaBelongsToOneGroup) {
   const Example example = human();
   std::vector<int> held(example.valve.chordae.size(), 0);

@@ -14,7 +14,8 @@ namespace {
 
 FitOptions tips_alone() {
   FitOptions options;
-  options.unknowns.slack = options.unknowns.prestretch = options.unknowns.hidden = false;
+  options.unknowns.slack = options.unknowns.prestretch = options.unknowns.stiffness =
+      options.unknowns.hidden = false;
   return options;
 }
 

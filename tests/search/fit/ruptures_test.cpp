@@ -14,7 +14,8 @@ namespace {
 /// Lengths of chordae are the unknowns that stand in for a rupture.
 FitOptions slack_and_ruptures() {
   FitOptions options;
-  options.unknowns.tips = options.unknowns.prestretch = options.unknowns.hidden = false;
+  options.unknowns.tips = options.unknowns.prestretch = options.unknowns.stiffness =
+      options.unknowns.hidden = false;
   options.ruptures = true;
   options.most_rounds = 2;
   return options;

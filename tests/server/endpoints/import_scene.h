@@ -80,7 +80,7 @@ inline Json fit_request() {
     points += csv_row(vertex.transpose()) + '\n';
   request["fit"] = {{"surface", {{"name", "Smith_John_systole.csv"}, {"text", points}}},
                     {"side", "middle"},
-                    {"known", {"slack", "prestretch", "hidden"}},
+                    {"known", {"slack", "prestretch", "stiffness", "hidden"}},
                     {"rounds", 1}};
   return request;
 }

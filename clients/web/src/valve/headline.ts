@@ -25,7 +25,7 @@ export function headline(
       term('leak', 'leak'),
       `${leakPlace(closure)}, `,
       tissue
-        ? term('tissue', '5 to 95 % with tissue error')
+        ? h('span', {}, term('tissue', '5 to 95 % with tissue error'), ownTissue(closure, tissue))
         : closure.leak.error_mm2 === null
           ? 'error not known'
           : term('error', '± numerical error'),
@@ -42,12 +42,24 @@ export function diagnosisLine({ closure }: Scene): HTMLElement | null {
   return h('span', { class: valveStyle.why, 'data-part': 'why' }, explained(typeset(summary), typeset(sentence)))
 }
 
-/// From 5 to 95 %, where the tissue leaves the leak less known than mesh and closure do.
-export function widerTissue({ leak }: Measure, drawn: Information | null): Range | null {
+/// From 5 to 95 %, where the tissue leaves the leak less known than mesh and closure do, or observations exclude it.
+export function widerTissue(measure: Measure, drawn: Information | null): Range | null {
   const tissue = drawn?.leak.tissue
   if (!tissue) return null
   const [low = 0, high = 0] = tissue
-  return high - low > 2 * (leak.error_mm2 ?? 0) ? { low, high } : null
+  const range = { low, high }
+  return high - low > 2 * (measure.leak.error_mm2 ?? 0) || excludes(range, measure) ? range : null
+}
+
+/// What observations say of the leak has no value in common with what the tissue of the file makes of it.
+function excludes({ low, high }: Range, { leak_mm2, leak }: Measure): boolean {
+  const error = leak?.error_mm2 ?? 0
+  return leak_mm2 !== null && (leak_mm2 + error < low || leak_mm2 - error > high)
+}
+
+function ownTissue(closure: Measure, tissue: Range): string {
+  if (!excludes(tissue, closure)) return ''
+  return `; ${knownDigits(closure.leak_mm2, 0.5 * (tissue.high - tissue.low))} mm² with the tissue of its file`
 }
 
 interface Range {
@@ -70,5 +82,6 @@ export function leakWords(before: Measure, after?: Measure, tissue?: Range | nul
   const from = after ? `${knownDigits(before.leak_mm2, before.leak?.error_mm2)} → ` : ''
   if (!tissue) return from + withError(last.leak_mm2, last.leak?.error_mm2, 'mm²')
   const digits = (value: number | null) => knownDigits(value, 0.5 * (tissue.high - tissue.low))
+  if (excludes(tissue, last)) return `${from}${digits(tissue.low)} to ${digits(tissue.high)} mm²`
   return `${from}${digits(last.leak_mm2)} mm² (${digits(tissue.low)} to ${digits(tissue.high)})`
 }

@@ -20,6 +20,8 @@ test('the leak carries the wider of its errors', () => {
   expect(large(drawn([33.4, 95.2]))).toBe('58 mm² (33 to 95)')
   expect(large(drawn([55, 60]))).toBe('58 ± 6 mm²')
   expect(large(drawn(null))).toBe('58 ± 6 mm²')
+  expect(large(drawn([21.2, 37.4]))).toBe('21 to 37 mm²')
+  expect(large(drawn([21.2, 27.4]))).toBe('21.2 to 27.4 mm²')
 })
 
 test('a repaired leak has the range of the repaired valve', () => {
