@@ -73,8 +73,9 @@ void add_diagnose(Command parent, int& status) {
   add_server_option(command, arguments->server);
   command.footer(
       "A segment prolapses if its free edge overrides the opposite one by 4 mm more than in "
-      "competent\nvalves, or lies above the annulus; it is flail if its chordae are ruptured as "
-      "well. A finding close\nto a threshold is marked as uncertain, with its alternative. The "
+      "competent\nvalves, or lies above the annulus; it is flail if its chordae are ruptured and "
+      "it\noverrides by 2 mm more, or leaks through an opening of its own. A finding close\nto a "
+      "threshold is marked as uncertain, with its alternative. The "
       "exit code is 3 if the closure did\nnot converge.\n\n"
       "Examples:\n"
       "  coapt diagnose human-p2-prolapse\n"

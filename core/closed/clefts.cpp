@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,22 +14,43 @@ namespace {
 constexpr std::array<std::pair<Segment, Segment>, 2> kBetween = {
     {{Segment::P1, Segment::P2}, {Segment::P2, Segment::P3}}};
 
-bool is_scallop(Segment segment) {
-  return segment == Segment::P1 || segment == Segment::P2 || segment == Segment::P3;
+/// The cleft whose root is nearest to a place, if it is nearer than that cleft is deep.
+Cleft* nearest_of(std::vector<Cleft>& clefts, const std::vector<Vec3>& roots_mm,
+                  const Vec3& place_mm) {
+  Cleft* nearest = nullptr;
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < clefts.size(); ++i) {
+    const double away_mm = (roots_mm[i] - place_mm).norm();
+    if (away_mm > clefts[i].depth_mm || away_mm >= least_mm) continue;
+    least_mm = away_mm;
+    nearest = &clefts[i];
+  }
+  return nearest;
 }
 
-/// Sum of the openings that two scallops, and no other of the posterior leaflet, border.
-double leak_between(const ValveMeasure& measure, Segment first, Segment second) {
-  double leak_mm2 = 0.0;
-  for (const LeakOpening& opening : measure.leak.openings) {
-    const std::vector<Segment>& of = opening.segments;
-    const auto has = [&of](Segment segment) {
-      return std::find(of.begin(), of.end(), segment) != of.end();
-    };
-    if (has(first) && has(second) && std::count_if(of.begin(), of.end(), is_scallop) == 2)
-      leak_mm2 += opening.area_mm2;
+/// Gives each cleft what lies of an opening beside it; of one without a surface all or nothing, by its centroid.
+void add_leak(const LeakOpening& opening, const std::vector<Vec3>& roots_mm,
+              std::vector<Cleft>& clefts) {
+  const auto& [points_mm, faces, outline] = opening.surface;
+  const auto area = [&](Index f) {
+    const Vec3 a = points_mm.row(faces(f, 0)), b = points_mm.row(faces(f, 1)),
+               c = points_mm.row(faces(f, 2));
+    return (b - a).cross(c - a).norm();
+  };
+  double all = 0.0;
+  for (Index f = 0; f < faces.rows(); ++f) all += area(f);
+  if (!(all > 0.0)) {
+    if (Cleft* const of = nearest_of(clefts, roots_mm, opening.centroid_mm))
+      of->leak_mm2 += opening.area_mm2;
+    return;
   }
-  return leak_mm2;
+  for (Index f = 0; f < faces.rows(); ++f) {
+    const Vec3 middle =
+        (points_mm.row(faces(f, 0)) + points_mm.row(faces(f, 1)) + points_mm.row(faces(f, 2))) /
+        3.0;
+    if (Cleft* const of = nearest_of(clefts, roots_mm, middle))
+      of->leak_mm2 += opening.area_mm2 * area(f) / all;
+  }
 }
 
 /// The height of the posterior leaflet, from the annulus straight to the free edge, along it.
@@ -43,6 +65,11 @@ class Heights {
   }
 
   double middle_of(Segment segment) const { return middle_along(valve_, coordinates_, segment); }
+
+  Vec3 edge_mm(double along, const Points& closed_mm) const {
+    return position(locate(valve_, coordinates_, {Leaflet::Posterior, along, 1.0}), valve_.faces,
+                    closed_mm);
+  }
 
  private:
   const Valve& valve_;
@@ -75,18 +102,24 @@ Cleft cleft_between(const Heights& heights, Segment first, Segment second) {
 
 }  // namespace
 
-std::vector<Cleft> leaking_clefts(const Valve& valve, const ValveMeasure& measure,
-                                  double least_mm2) {
+std::vector<Cleft> leaking_clefts(const Valve& valve, const Points& closed_mm,
+                                  const ValveMeasure& measure, double least_mm2) {
   std::vector<Cleft> clefts;
-  std::optional<Heights> heights;
+  if (measure.leak.area_mm2 <= least_mm2) return clefts;
+  const Heights heights(valve);
+  const auto has = [&valve](Segment segment) {
+    return std::find(valve.segments.begin(), valve.segments.end(), segment) != valve.segments.end();
+  };
+  std::vector<Vec3> roots_mm;
   for (const auto& [first, second] : kBetween) {
-    const double leak_mm2 = leak_between(measure, first, second);
-    if (leak_mm2 <= least_mm2) continue;
-    if (!heights) heights.emplace(valve);
-    Cleft cleft = cleft_between(*heights, first, second);
-    cleft.leak_mm2 = leak_mm2;
-    if (cleft.share >= kDeepCleft) clefts.push_back(cleft);
+    if (!has(first) || !has(second)) continue;
+    const Cleft cleft = cleft_between(heights, first, second);
+    if (cleft.share < kDeepCleft) continue;
+    clefts.push_back(cleft);
+    roots_mm.push_back(heights.edge_mm(cleft.along, closed_mm));
   }
+  for (const LeakOpening& opening : measure.leak.openings) add_leak(opening, roots_mm, clefts);
+  std::erase_if(clefts, [&](const Cleft& cleft) { return cleft.leak_mm2 <= least_mm2; });
   return clefts;
 }
 

@@ -16,14 +16,12 @@ struct Cleft {
   double depth_mm =
       0.0;  ///< of its root below the line that joins the middles of both scallops' edges, unstressed
   double share = 0.0;     ///< of the leaflet's height at that line
-  double leak_mm2 = 0.0;  ///< that passes between the two scallops
+  double leak_mm2 = 0.0;  ///< that passes beside its root
 };
 
-/// From the anterolateral side on: kDeepCleft deep at least, with openings of more than `least_mm2` that two scallops border, and no
-/// other of the posterior leaflet.
-/// @pre the valve is mitral.
-std::vector<Cleft> leaking_clefts(const Valve& valve, const ValveMeasure& measure,
-                                  double least_mm2);
+/// From the anterolateral side on: kDeepCleft deep at least, with more than `least_mm2` of the leak nearer to its root than it is deep. @param closed_mm the valve's vertices. @pre the valve is mitral.
+std::vector<Cleft> leaking_clefts(const Valve& valve, const Points& closed_mm,
+                                  const ValveMeasure& measure, double least_mm2);
 
 /// Sum over clefts.
 double leak_through(const std::vector<Cleft>& clefts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "core/repair/approximation.h"
 #include "core/repair/limits.h"
@@ -114,10 +115,12 @@ int ruptured_of(const Valve& valve, Segment segment) {
       }));
 }
 
+/// Through an opening of its own: one that most segments border says nothing of any of them.
 bool leaks_beside(const ValveMeasure& measure, Segment segment) {
+  constexpr std::size_t kFewSegments = 4;
   return std::any_of(
       measure.leak.openings.begin(), measure.leak.openings.end(), [&](const LeakOpening& opening) {
-        return opening.area_mm2 > kTraceLeak_mm2 &&
+        return opening.area_mm2 > kTraceLeak_mm2 && opening.segments.size() <= kFewSegments &&
                std::find(opening.segments.begin(), opening.segments.end(), segment) !=
                    opening.segments.end();
       });
@@ -151,8 +154,8 @@ std::array<SegmentDiagnosis, 6> diagnose_segments(const Valve& valve, const Poin
     const bool above_annulus = length_above(pieces, 0.0) > 0.5 * whole;
     const bool overrides = of.override_mm >= kProlapse_mm && of.edge_mm > kDeepEdge_mm;
     const bool leaks = leaks_beside(measure, segment);
-    const bool flail =
-        of.ruptured > 0 && (overrides || leaks || measure.leak.area_mm2 > kMildLeak_mm2);
+    const bool rides = of.override_mm >= kFlail_mm && of.edge_mm > kDeepEdge_mm;
+    const bool flail = of.ruptured > 0 && (rides || above_annulus || leaks);
     if (flail || overrides || above_annulus)
       of.finding = flail ? SegmentFinding::Flail : SegmentFinding::Prolapse;
     of.sure = (flail && (overrides || leaks)) || above_annulus ||
@@ -172,11 +175,13 @@ double tethering(const Diagnosis& of) {
   return 1.0 / (1.0 + std::exp(-score));
 }
 
-/// The muscle that is so much further from its trigone that the hand could tell (plans/disturbance.h: 3 mm of the tip).
+/// The muscle that is so much further from its trigone that the hand could tell (plans/disturbance.h: 3 mm of the tip); none where the
+/// other one is beyond doubt displaced, too.
 std::optional<Side> further_side(const Diagnosis& of) {
   constexpr double kApart_mm = 3.0;
   const double more = of.tip_to_trigone_mm[1] - of.tip_to_trigone_mm[0];
-  if (std::abs(more) < kApart_mm) return std::nullopt;
+  const double nearer_mm = std::min(of.tip_to_trigone_mm[0], of.tip_to_trigone_mm[1]);
+  if (std::abs(more) < kApart_mm || nearer_mm > kFarTip_mm) return std::nullopt;
   return more > 0.0 ? Side::Posteromedial : Side::Anterolateral;
 }
 
@@ -191,12 +196,16 @@ bool prolapses(const SegmentDiagnosis& segment) {
   return segment.finding == SegmentFinding::Prolapse || segment.finding == SegmentFinding::Flail;
 }
 
-/// Another type than I that is not sure yields to clefts that explain the leak.
+/// Another type than I that is not sure yields to clefts that explain the leak, and is ruled out where they explain nearly all of it.
 void name_clefts(Diagnosis& of) {
+  constexpr double kNearlyAll = 0.8;
   if (of.clefts.empty()) return;
-  if (!of.type_sure && clefts_explain(of) && of.types.front() != CarpentierType::I) {
-    of.not_ruled_out = of.types.front();
+  if (!of.type_sure && clefts_explain(of)) {
+    if (of.types.front() != CarpentierType::I) of.not_ruled_out = of.types.front();
     of.types = {CarpentierType::I};
+    if (leak_through(of.clefts) < kNearlyAll * of.leak_mm2) return;
+    of.not_ruled_out.reset();
+    of.type_sure = true;
   } else if (std::find(of.types.begin(), of.types.end(), CarpentierType::I) == of.types.end()) {
     of.types.push_back(CarpentierType::I);
   }
@@ -277,9 +286,11 @@ std::optional<Diagnosis> diagnose(const Valve& valve, const ClosureResult& closu
   of.transverse_mm = transverse_diameter_mm(valve);
   of.annulus_dilated = of.ap_mm > kDilatedAp_mm || of.ap_mm > kRoundAnnulus * of.transverse_mm;
   of.tethering = tethering(of);
-  of.clefts = leaking_clefts(valve, measure, kTraceLeak_mm2);
+  of.clefts = leaking_clefts(valve, closure.closed_mm, measure, kTraceLeak_mm2);
   name_types(of);
-  if (opening_mm2 <= kCannotOpen_mm2) of.types.push_back(CarpentierType::IIIa);
+  const double annulus_mm2 = 0.25 * std::numbers::pi * of.ap_mm * of.transverse_mm;
+  if (opening_mm2 <= kCannotOpen_mm2 && opening_mm2 <= kCannotOpenShare * annulus_mm2)
+    of.types.push_back(CarpentierType::IIIa);
   return of;
 }
 

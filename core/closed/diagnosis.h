@@ -3,7 +3,7 @@
 // Heights are measured from the hinge line, which joins both sides of the annulus straight across the line between the commissures:
 // the annular line of an echocardiographic long-axis view, anywhere along the valve. A segment prolapses (type II) where its free
 // edge rides over the opposite one by more than in closed valves, or stands above that line; it is flail where its marginal
-// chordae are ruptured, too. Leaflets are tethered (type IIIb) by the probability that a logistic regression gives to three figures
+// chordae are ruptured and it rides over half as much, or leaks through an opening of its own. Leaflets are tethered (type IIIb) by the probability that a logistic regression gives to three figures
 // that surgeons know: how far the tips are from their trigones, how round the annulus is, how deep A2's edge lies. What leaks and
 // is neither has an annulus too wide for its leaflets or leaks through deep clefts (type I); where most of the leak passes through
 // clefts and another type is not sure, they are what explains it. Leaflets that cannot open are type IIIa.
@@ -74,6 +74,7 @@ struct Diagnosis {
 // By which edges lie higher than in closed valves: in the middle P2's edge lies 2 mm above A2's, at the sides as high.
 inline constexpr double kUsualOverride_mm = 2.0;
 inline constexpr double kProlapse_mm = 4.0;  ///< of SegmentDiagnosis::override_mm
+inline constexpr double kFlail_mm = 2.0;     ///< the same where its chordae are ruptured (assumed)
 inline constexpr double kOverrideMargin_mm =
     1.0;                                      ///< within this of kProlapse_mm a finding is not sure
 inline constexpr double kDeepEdge_mm = -9.0;  ///< an edge below that does not prolapse
@@ -83,6 +84,8 @@ inline constexpr double kRoundAnnulus = 0.89;
 inline constexpr double kDilatedAp_mm =
     35.0;  ///< ESC/EACTS guidelines on valvular heart disease 2012
 inline constexpr double kCannotOpen_mm2 = 150.0;  ///< severe stenosis (ASE/EACVI 2009)
+/// And of the annulus: healthy valves open to half of it (4.7 of 8.5 cm2), small ones, too.
+inline constexpr double kCannotOpenShare = 0.3;
 
 const char* to_string(CarpentierType type);     ///< "I", "II", "IIIa", "IIIb"
 const char* to_string(SegmentFinding finding);  ///< "normal", "prolapse", "flail", "tethered"

@@ -75,7 +75,7 @@ Reason of_excess(const Diagnosis& diagnosis) {
   std::string what;
   if (!flail.empty()) what = "the chordae of " + joined(names_of(flail)) + " are ruptured";
   if (const std::vector<std::string> names = names_of(others); !names.empty())
-    what += (what.empty() ? "" : ", ") + joined(names) +
+    what += (what.empty() ? "" : ", and ") + joined(names) +
             (names.size() == 1 ? " prolapses" : " prolapse");
   return {what, height_of(highest, all.size() == 1)};
 }
@@ -111,16 +111,25 @@ Reason of_clefts(const Diagnosis& diagnosis) {
 }
 
 Reason of_annulus(const Diagnosis& diagnosis) {
-  return {"the annulus is too wide for the leaflets",
+  return {diagnosis.annulus_dilated ? "the annulus is too wide for the leaflets"
+                                    : "the leaflets are too short for the annulus",
           with_decimals(diagnosis.ap_mm, 0) + " x " + in_mm(diagnosis.transverse_mm) +
               ", a ratio of " + with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
               " instead of 0.75"};
 }
 
+/// Clefts, and what they do not explain.
+Reason of_normal_motion(const Diagnosis& diagnosis) {
+  if (diagnosis.clefts.empty()) return of_annulus(diagnosis);
+  const Reason clefts = of_clefts(diagnosis);
+  if (diagnosis.types.front() != CarpentierType::I || clefts_explain(diagnosis)) return clefts;
+  return {of_annulus(diagnosis).what + ", and " + clefts.what, clefts.figures};
+}
+
 Reason reason_of(const Diagnosis& diagnosis, CarpentierType type) {
   switch (type) {
     case CarpentierType::I:
-      return diagnosis.clefts.empty() ? of_annulus(diagnosis) : of_clefts(diagnosis);
+      return of_normal_motion(diagnosis);
     case CarpentierType::II:
       return of_excess(diagnosis);
     case CarpentierType::IIIa:

@@ -254,7 +254,7 @@ void smooth_few_points(ImportSource& source) {
   Markup curve;
   curve.points_mm = source.annulus_mm;
   const Expected<Points> drawn = drawn_closed_curve(curve);
-  if (!drawn) return;
+  if (!drawn || drawn->rows() == count) return;
   const double polygon = ArcLength(source.annulus_mm).total_mm();
   source.annulus_mm = *drawn;
   source.decisions.push_back(

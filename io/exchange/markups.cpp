@@ -6,6 +6,7 @@
 #include "io/json/parse_json.h"
 #include "io/json/version.h"
 #include "io/mesh/mesh_builder.h"
+#include "io/mesh/plausibility.h"
 
 namespace coapt {
 namespace {
@@ -142,6 +143,8 @@ Expected<Points> drawn_closed_curve(const Markup& curve) {
                      " placed points, must have at least 6 that are placed (positionStatus "
                      "defined)"};
   if (curve.straight || n >= kDense) return control;
+  // Across a gap a spline swings out, and hides it: the checks of contours look at what was placed.
+  if (const auto checked = contour_checks(control); !checked || !checked->empty()) return control;
   // Second derivatives m of the spline: m[i-1] + 4 m[i] + m[i+1] = 6 (p[i-1] - 2 p[i] + p[i+1]), round the curve.
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
   Points right(n, 3);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/valve/number_text.h"
 
@@ -52,6 +53,16 @@ void check_voxel_steps(const Eigen::Matrix4d& to_lps_mm, const std::string& path
     problems.add(ErrorCode::BadGeometry, path, "must lead in three different directions");
   if (!to_lps_mm.allFinite() || to_lps_mm.col(3).cwiseAbs().maxCoeff() > kFarMm)
     problems.add(ErrorCode::OutOfRange, path, "and its origin must lie within 1e5 mm");
+}
+
+std::optional<double> off_a_right_angle_deg(const Eigen::Matrix3d& steps_mm) {
+  constexpr double kSquare = 0.01;  // cosine
+  const Vec3 lengths = steps_mm.colwise().norm();
+  if (!(lengths.minCoeff() > 0.0)) return std::nullopt;
+  const Eigen::Matrix3d axes = steps_mm * lengths.cwiseInverse().asDiagonal();
+  const double most = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (most <= kSquare) return std::nullopt;
+  return std::asin(std::min(1.0, most)) * 180.0 / std::numbers::pi;
 }
 
 Expected<std::string> place(LabelMap& map, const ImageGeometry& image) {

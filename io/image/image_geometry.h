@@ -23,6 +23,9 @@ struct ImageGeometry {
 void check_voxel_steps(const Eigen::Matrix4d& to_lps_mm, const std::string& path,
                        ProblemList& problems);
 
+/// The largest angle that two axes of a voxel lack to a right one; none where all are square, or one has no length.
+std::optional<double> off_a_right_angle_deg(const Eigen::Matrix3d& steps_mm);
+
 /// A map takes the geometry of the image that it was drawn on, if it has none of its own. The answer says in words what was
 /// taken, or by how much the two differ. Errors: sizes that are not those of the image; frames more than a voxel apart.
 Expected<std::string> place(LabelMap& map, const ImageGeometry& image);

@@ -78,6 +78,8 @@ Errors read_phase(ByteStream& stream, const VoxelLayout& of_a_phase, int phase, 
   std::vector<Volume> read;  // masks, or empty ones
   for (int at = 1; at <= map.phases; ++at) {
     Expected<Volume> labels = read_labels(stream, of_a_phase);
+    if (labels && at == map.phases)
+      if (Errors errors = check_end(stream); !errors.empty()) return errors;
     if (!labels) return labels.errors();
     const std::uint16_t most = *std::max_element(labels->begin(), labels->end());
     only_masks = only_masks && most <= 1;

@@ -9,6 +9,17 @@ LabelVoxels::LabelVoxels(const LabelMap& map, const LabelAt& label)
       at_(map.voxels.data() + label.layer * map.size[0] * map.size[1] * map.size[2]),
       value_(label.value) {}
 
+Index LabelVoxels::at_border() const {
+  Index count = 0;
+  for (Index k = 0; k < size_[2]; ++k)
+    for (Index j = 0; j < size_[1]; ++j) {
+      const bool inner = k > 0 && k + 1 < size_[2] && j > 0 && j + 1 < size_[1];
+      const Index step = inner ? std::max<Index>(1, size_[0] - 1) : 1;
+      for (Index i = 0; i < size_[0]; i += step) count += (*this)(i, j, k) ? 1 : 0;
+    }
+  return count;
+}
+
 LabelBox LabelVoxels::box() const {
   LabelBox box;
   const std::uint16_t* voxel = at_;

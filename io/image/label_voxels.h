@@ -26,6 +26,9 @@ class LabelVoxels {
 
   LabelBox box() const;
 
+  /// Voxels of the label in the outermost layer of the image: what lies beyond was not imaged.
+  Index at_border() const;
+
   /// Pairs of neighbours of which one is of the label: two triangles each of its surface (label_surface.h).
   Index crossings(const LabelBox& box) const;
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <optional>
 
 #include "core/valve/number_text.h"
@@ -22,7 +21,6 @@ namespace {
 
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
 constexpr double kSameEdge = 0.02;        // share by which the edges of a voxel may differ
-constexpr double kSquare = 0.01;          // cosine of the angle between axes
 constexpr double kSamePlace = 0.5;        // of a voxel, between sform and qform
 constexpr double kMostOffset = 16 << 20;  // extensions that lie before the voxels
 
@@ -153,15 +151,10 @@ bool rows_contradict(const HeaderFields& header, LabelMap& map, ProblemList& pro
                    "contradicts pixdim: " + what + "; correct one of them");
     return true;
   }
-  const Eigen::Matrix3d axes = rows.topLeftCorner<3, 3>() * edges.cwiseInverse().asDiagonal();
-  const Eigen::Matrix3d cosines = axes.transpose() * axes - Eigen::Matrix3d::Identity();
-  if (cosines.cwiseAbs().maxCoeff() > kSquare)
-    map.frame_doubt =
-        "the sform is used although it is sheared: its axes are " +
-        significant(
-            std::asin(std::min(1.0, cosines.cwiseAbs().maxCoeff())) * 180.0 / std::numbers::pi, 2) +
-        " degrees off a right angle";
-  else if (quaternion) {
+  if (const auto off_deg = off_a_right_angle_deg(rows.topLeftCorner<3, 3>())) {
+    map.frame_doubt = "the sform is used although it is sheared: its axes are " +
+                      significant(*off_deg, 2) + " degrees off a right angle";
+  } else if (quaternion) {
     const Eigen::Vector4d far(header.dim(1) - 1.0, header.dim(2) - 1.0, header.dim(3) - 1.0, 1.0);
     const Eigen::Matrix4d apart = rows - qform(header);
     const double away = std::max(apart.col(3).head<3>().norm(), (apart * far).head<3>().norm());

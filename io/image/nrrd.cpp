@@ -291,7 +291,14 @@ class NrrdReader {
     if (!origin->empty() && origin->front()) map_.to_lps_mm.block<3, 1>(0, 3) = *origin->front();
     map_.to_lps_mm.row(0) *= space->x;
     map_.to_lps_mm.row(1) *= space->y;
+    doubt_sheared();
     check_voxel_steps(map_.to_lps_mm, "/space directions", problems_);
+  }
+
+  void doubt_sheared() {
+    if (const auto off_deg = off_a_right_angle_deg(map_.to_lps_mm.topLeftCorner<3, 3>()))
+      map_.frame_doubt = "the space directions are sheared: two axes are " +
+                         significant(*off_deg, 2) + " degrees off a right angle";
   }
 
   std::vector<Vec3> spacings(const Axes& axes) {
@@ -335,6 +342,8 @@ class NrrdReader {
     Expected<std::vector<std::uint16_t>> labels =
         words ? read_label_words(data, layout.count) : read_labels(stream, layout);
     if (!labels) return labels.errors();
+    if (!words)
+      if (Errors errors = check_end(stream); !errors.empty()) return errors;
     map_.voxels = layers_last(*std::move(labels), axes);
     return {};
   }

@@ -100,11 +100,22 @@ bool ByteStream::skip(std::uint64_t size) {
   return true;
 }
 
+bool ByteStream::ends_whole() {
+  constexpr std::size_t kMostLeft = 1 << 20;
+  std::array<char, kBlock> block;
+  for (std::size_t left = 0; left < kMostLeft;) {
+    const std::size_t count = fill(block.data(), kBlock);
+    left += count;
+    if (count < kBlock) break;
+  }
+  return !damaged_;
+}
+
 std::size_t ByteStream::inflate_into(char* into, std::size_t size) {
   z_stream& stream = *inflater_;
   stream.next_out = reinterpret_cast<Bytef*>(into);
   stream.avail_out = static_cast<uInt>(size);
-  while (stream.avail_out > 0) {
+  while (stream.avail_out > 0 && !(ended_ && bytes_.empty())) {
     const std::size_t given = std::min(bytes_.size(), kMostInput);
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes_.data()));
     stream.avail_in = static_cast<uInt>(given);
@@ -113,10 +124,14 @@ std::size_t ByteStream::inflate_into(char* into, std::size_t size) {
     const std::size_t used = given - stream.avail_in;
     bytes_.remove_prefix(used);
     if (state == Z_STREAM_END) {  // another member may follow (RFC 1952, 2.2)
+      ended_ = true;
       if (stream.avail_out > 0 && bytes_.empty()) break;
       if (inflateReset(&stream) != Z_OK) break;
     } else if (state != Z_OK || (used == 0 && stream.avail_out == before)) {
+      damaged_ = !ended_;  // what follows a member may be none
       break;
+    } else {
+      ended_ = false;
     }
   }
   return size - stream.avail_out;
@@ -126,7 +141,7 @@ std::size_t ByteStream::decompress_into(char* into, std::size_t size) {
   bz_stream& stream = decompressor_->state;
   stream.next_out = into;
   stream.avail_out = static_cast<unsigned>(size);
-  while (stream.avail_out > 0) {
+  while (stream.avail_out > 0 && !(ended_ && bytes_.empty())) {
     const std::size_t given = std::min(bytes_.size(), kMostInput);
     stream.next_in = const_cast<char*>(bytes_.data());
     stream.avail_in = static_cast<unsigned>(given);
@@ -135,6 +150,7 @@ std::size_t ByteStream::decompress_into(char* into, std::size_t size) {
     const std::size_t used = given - stream.avail_in;
     bytes_.remove_prefix(used);
     if (state == BZ_STREAM_END) {  // another one may follow, of pbzip2
+      ended_ = true;
       if (stream.avail_out > 0 && bytes_.empty()) break;
       char* const next = stream.next_out;
       const unsigned left = stream.avail_out;
@@ -144,7 +160,10 @@ std::size_t ByteStream::decompress_into(char* into, std::size_t size) {
       stream.next_out = next;
       stream.avail_out = left;
     } else if (state != BZ_OK || (used == 0 && stream.avail_out == before)) {
+      damaged_ = !ended_;
       break;
+    } else {
+      ended_ = false;
     }
   }
   return size - stream.avail_out;
@@ -167,6 +186,12 @@ Expected<std::string> unpack(std::string_view file, Packing packing, std::size_t
           "unpacks to more than the " + std::to_string(most_bytes >> 20) + " MiB accepted"};
   }
   return bytes;
+}
+
+Errors check_end(ByteStream& stream) {
+  if (stream.ends_whole()) return {};
+  return {{ErrorCode::InputOutput, "/data",
+           "is damaged: it does not agree with its checksum, or ends before it"}};
 }
 
 std::size_t bytes_of(VoxelType type) {

@@ -32,6 +32,8 @@ class ByteStream {
   /// Fills as many as there are, up to `size`.
   std::size_t fill(char* into, std::size_t size);
   bool skip(std::uint64_t size);
+  /// Whether what is left unpacks to its end, where the checksum stands; of more than a megabyte that is left it is not asked.
+  bool ends_whole();
 
  private:
   std::size_t inflate_into(char* into, std::size_t size);
@@ -42,6 +44,8 @@ class ByteStream {
     void operator()(Bzip2Stream* stream) const;
   };
   std::string_view bytes_;
+  bool ended_ = false;    ///< at the end of a member, whose checksum is right
+  bool damaged_ = false;  ///< within one
   std::unique_ptr<z_stream_s, Ender> inflater_;       ///< none: not of zlib
   std::unique_ptr<Bzip2Stream, Ender> decompressor_;  ///< none: not of bzip2
 };
@@ -61,6 +65,9 @@ std::size_t bytes_of(VoxelType type);
 
 /// Errors at "/data": truncated or damaged; numbers that are not whole or not from 0 to 65535.
 Expected<std::vector<std::uint16_t>> read_labels(ByteStream& stream, const VoxelLayout& layout);
+
+/// After the last numbers of a stream: damage that only its checksum shows, at "/data".
+Errors check_end(ByteStream& stream);
 
 /// Numbers as words.
 Expected<std::vector<std::uint16_t>> read_label_words(std::string_view text, std::size_t count);

@@ -38,7 +38,7 @@ Json thresholds() {
        row("ap_mm", kDilatedAp_mm, "mm", "ESC/EACTS guidelines on valvular heart disease 2012"),
        row("ap_mm over transverse_mm", kRoundAnnulus, "1",
            "healthy 0.75 ± 0.07 (PMC7368231, table 3), mean + 2 sd"),
-       row("share_of_height of a cleft", kDeepCleft, "1", kMade),
+       row("share_of_height of a cleft", kDeepCleft, "1", "assumed"),
        row("opening_area_mm2", kCannotOpen_mm2, "mm2",
            "severe stenosis, ASE/EACVI recommendations 2009")});
 }

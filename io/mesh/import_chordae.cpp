@@ -16,6 +16,7 @@ constexpr double kSameTip_mm = 0.1;
 constexpr double kMarginalReach_mm = 3.0;
 constexpr double kSurfaceReach_mm = 8.0;
 constexpr double kSurelyNearer_mm = 2.0;
+constexpr double kUsualShift_mm = 4.0;  // of an insertion: more is looked at
 constexpr double kTwigArc =
     1.0 / 60.0;  // between twigs, share of the annulus: a station of 720 triangles
 
@@ -203,9 +204,14 @@ ImportDecision described(const Attached& attached, const Valve& valve,
   if (attached.lengths > 0)
     text += "; " + std::to_string(attached.lengths) + " pieces keep their imported slack";
   text += "; " + std::to_string(valve.heads.size()) + " papillary heads";
+  const bool shifted = std::max(attached.edge_max_mm, attached.surface_max_mm) > kUsualShift_mm;
   return {"chordae", text,
           "lengths are straight distances at rest times " + significant(options.slack, 3) +
-              (attached.lengths > 0 ? " elsewhere" : "")};
+              (attached.lengths > 0 ? " elsewhere" : "") +
+              (shifted ? "; insertions usually lie within " + significant(kUsualShift_mm, 2) +
+                             " mm of where they are attached"
+                       : ""),
+          shifted, shifted ? 0.5 : 1.0};
 }
 
 }  // namespace

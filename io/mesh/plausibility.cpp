@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
@@ -16,16 +17,19 @@ namespace coapt {
 namespace {
 
 constexpr Eigen::Index kMostSamples = 4000;          // of a mesh, for distances
-constexpr double kLongSide = 4.0;                    // times the median, of a contour's sides
+constexpr double kLongSide = 3.0;                    // times the median, of a contour's sides
 constexpr double kGap_deg = 20.0, kOpen_deg = 60.0;  // that a long side spans: looked at, refused
 constexpr double kFarRms_mm = 1.0, kFarMax_mm = 5.0;
 constexpr double kBeside_mm = 2.0;        // of sheets from the contour, in the mean
-constexpr Range kAreaRatio = {0.8, 3.0};  // leaflets over annulus; 1.3 is normal
+constexpr Range kAreaRatio = {1.1, 3.0};  // leaflets over annulus; 1.3 to 2.8 in hearts and presets
 constexpr Range kAnteriorMm = {10.0, 45.0}, kPosteriorMm = {5.0, 35.0};  // heights at A2 and P2
 constexpr Range kDiameterRatio = {0.45, 1.2};  // anteroposterior over transverse
 constexpr double kStretched = 1.4;             // thickness along one direction over that across it
 constexpr double kLeastOfThickness = 100.0;    // vertices where it is measured
 constexpr Range kUsualTipDepthMm = {8.0, 60.0};  // 23.5 +- 3.8 from the annulus
+// Tips lie at 0.6 to 1.1 of the way from the middle of the annulus to its rim, seen from the atrium, between 0.05 in front and 0.85 behind
+// (presets, an anatomical heart, remodelled ones).
+constexpr double kTipBeside = 1.5, kTipInFront = 0.4;
 
 bool is_in(double value, const Range& range) { return value >= range.min && value <= range.max; }
 
@@ -68,6 +72,32 @@ double station_height_mm(const Skirt& skirt, int station) {
 std::string range_text(const Range& range, const char* unit) {
   return "the usual range is " + significant(range.min, 3) + " to " + significant(range.max, 3) +
          unit;
+}
+
+/// Of the tip that lies furthest from where tips lie, and how many do.
+std::optional<ImportDecision> tips_beside(const std::vector<ImportedTip>& tips,
+                                          const Points& annulus_mm) {
+  const Eigen::RowVector3d high = annulus_mm.colwise().maxCoeff(),
+                           size = high - annulus_mm.colwise().minCoeff();
+  int count = 0;
+  Vec2 worst = Vec2::Zero();
+  for (const ImportedTip& tip : tips) {
+    const Vec2 away_mm = (tip.position_mm - (high - 0.5 * size).transpose()).head<2>();
+    const double across = 2.0 * away_mm.x() / size.x(), front = 2.0 * away_mm.y() / size.y();
+    if (std::hypot(across, front) <= kTipBeside && front <= kTipInFront) continue;
+    ++count;
+    if (away_mm.norm() > worst.norm()) worst = away_mm;
+  }
+  if (count == 0) return std::nullopt;
+  return ImportDecision{
+      "size",
+      (count == 1 ? "a papillary tip lies"
+                  : std::to_string(count) + " papillary tips lie beside the valve, one") +
+          " " + with_decimals(std::abs(worst.x()), 0) +
+          " mm to the side of the middle of the annulus and " +
+          with_decimals(std::abs(worst.y()), 0) + " mm " +
+          (worst.y() > 0.0 ? "in front of" : "behind") + " it",
+      "tips usually lie below the annulus, behind its middle", true, 0.5};
 }
 
 }  // namespace
@@ -202,6 +232,7 @@ std::vector<ImportDecision> valve_checks(const FramedSource& source, const Skirt
         kPosteriorMm, " mm");
   for (const ImportedTip& tip : source.tips)
     check("depth of a papillary tip", -tip.position_mm.z(), kUsualTipDepthMm, " mm");
+  if (const auto doubt = tips_beside(source.tips, annulus)) doubts.push_back(*doubt);
   if (!closed && skirt.annulus_gap_mm > kBeside_mm)
     doubts.push_back({"contour",
                       "away from the leaflets, which begin " +

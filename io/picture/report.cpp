@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "core/closed/diagnosis_sentence.h"
 #include "io/json/base64.h"
 #include "io/json/plan_json.h"
 #include "io/picture/html.h"
@@ -42,7 +43,14 @@ std::string title_of(const PlanReport& report) {
 }
 
 std::string without_plans(const PlanReport& report) {
-  return "<section><h2>No plan</h2><p>The search ended before any plan was scored.</p>" +
+  const SearchResult& result = report.result;
+  const bool closed = result.stop == SearchStop::Exhausted && result.plans_possible == 0;
+  std::string words = result.diagnosis
+                          ? sentence_of(*result.diagnosis, result.before_estimates.leak_mm2) + " "
+                          : "";
+  words += closed ? "The rules leave none of the operations that are indicated."
+                  : "The search ended before any plan was scored.";
+  return "<section><h2>No plan</h2><p>" + escape_html(words) + "</p>" +
          picture_html(picture_of(report, {}), "The valve before repair", "Before repair") +
          "</section>\n";
 }

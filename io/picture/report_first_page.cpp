@@ -12,6 +12,7 @@
 #include "io/picture/report_words.h"
 #include "io/picture/text.h"
 #include "search/plans/plan_row.h"
+#include "search/plans/verdict.h"
 
 namespace coapt {
 namespace {
@@ -74,17 +75,10 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
     words = "The valve is competent; no repair is indicated.";
   else if (acceptable)
     words = "The repaired valve leaks less than 5 mm² with a probability of " +
-            probability_words(plan.acceptable_probability) + ", given " + grouped(region.closures) +
-            " errors of execution and the errors of tissue and mesh.";
-  else if (!closes_finely(plan))
-    words =
-        "This plan is not acceptable, because it does not close the valve on the finer mesh of the "
-        "final check.";
+            probability_words(plan.acceptable_probability) + ", given " + known_errors(plan) +
+            " (" + grouped(region.closures) + " of execution).";
   else
-    words =
-        "This plan is not acceptable: the repaired valve leaks less than 5 mm² with a probability "
-        "of only " +
-        probability_words(plan.acceptable_probability) + ".";
+    words = "This plan is not acceptable, because " + why_not_acceptable(plan) + ".";
   std::string html =
       acceptable ? "<p class=\"robust\"><strong>" : "<p class=\"least-bad\"><strong>";
   html += escape_html(words) + "</strong>";

@@ -12,12 +12,14 @@ namespace {
 // Costs above so many times the best are left out of the chart: they would flatten the rest.
 constexpr double kShownTimes = 12.0, kShownAtLeast = 20.0;
 
-std::string stop_sentence(SearchStop stop) {
+std::string stop_sentence(SearchStop stop, bool any_possible) {
   switch (stop) {
     case SearchStop::EvaluationLimit:
       return "The search used all its closures.";
     case SearchStop::Exhausted:
-      return "No plan was left to try; the weight or the expected cost excluded all others.";
+      return any_possible
+                 ? "No plan was left to try; the weight or the expected cost excluded all others."
+                 : "Rules and diagnosis left no plan to try.";
     case SearchStop::NoImprovement:
       return "The search found no better plan within the given number of closures.";
     case SearchStop::TargetReached:
@@ -85,7 +87,7 @@ std::string counts(const SearchResult& result) {
   if (is_search(result))
     words += grouped(result.plans_tried) + ' ' + noun_of(result.plans_tried, "plan") +
              " tried of " + grouped(result.plans_possible) + " possible ones. ";
-  words += is_search(result) ? stop_sentence(result.stop)
+  words += is_search(result) ? stop_sentence(result.stop, result.plans_possible > 0)
                              : "The given plans were scored as a search scores its finalists.";
   return "<p>" + escape_html(words) + "</p>\n";
 }

@@ -27,6 +27,13 @@ PlanOpening open_plan(const Valve& repaired) {
   return {opened->closure.status, opened->closure.crossing, opened->measure, two_orifices};
 }
 
+std::string gradient_words(double mmhg) {
+  const bool above = mmhg > kStenosis_mmhg;
+  const int decimals =
+      above && std::lround(10.0 * mmhg) <= std::lround(10.0 * kStenosis_mmhg) ? 2 : 1;
+  return with_decimals(mmhg, decimals) + " mmHg, " + (above ? "above 5 mmHg" : "not above 5 mmHg");
+}
+
 CostTerms opening_terms(const PlanOpening& opening) {
   CostTerms terms;
   if (!trusted(opening)) return terms;
@@ -60,8 +67,7 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
     area.finding = figure + ", at least 2.0 cm2";
   }
   gradient.severity = mmhg > kStenosis_mmhg ? GateSeverity::Warn : GateSeverity::Pass;
-  gradient.finding = "the mean gradient at rest is " + with_decimals(mmhg, 1) + " mmHg, " +
-                     (mmhg > kStenosis_mmhg ? "above 5 mmHg" : "not above 5 mmHg");
+  gradient.finding = "the mean gradient at rest is " + gradient_words(mmhg);
   return {area, gradient};
 }
 

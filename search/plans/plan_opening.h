@@ -34,6 +34,9 @@ inline constexpr const char* kUnknownOpening =
 inline constexpr double kUsualGradient_mmhg = 3.0, kStenosis_mmhg = 5.0;
 inline constexpr double kStenosis_mm2 = 150.0, kNarrow_mm2 = 200.0;  ///< rejected, warned of
 
+/// "5.6 mmHg, above 5 mmHg", with the digits that tell it from the limit.
+std::string gradient_words(double mmhg);
+
 /// GradientAbove3 and GradientAbove5; 0 where it is not trusted: the gates say so.
 CostTerms opening_terms(const PlanOpening& opening);
 

@@ -188,7 +188,8 @@ std::vector<std::string> PlanSpace::offer_rings() {
 
 /// Starts at the true size, or where rings are made smaller as a rule: for tethered leaflets.
 Parameter PlanSpace::ring_sizes(const std::string& shape) const {
-  const double usual = lesions_.empty() ? kUsualSizesBelow.min : 0.0;
+  const bool true_size = !lesions_.empty() || (diagnosis_ && !diagnosis_->clefts.empty());
+  const double usual = true_size ? 0.0 : kUsualSizesBelow.min;
   double first = 1e9, last = -1e9, start = 0.0, nearest = 1e9;
   for (const auto& [key, ringed] : ringed_) {
     if (key.first != shape) continue;

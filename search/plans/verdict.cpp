@@ -5,6 +5,7 @@
 
 #include "core/closed/diagnosis.h"
 #include "core/valve/number_text.h"
+#include "search/plans/plan_opening.h"
 #include "search/plans/plan_order.h"
 
 namespace coapt {
@@ -66,6 +67,29 @@ std::string choice_of(const std::vector<RankedPlan>& plans) {
 
 }  // namespace
 
+std::string known_errors(const RankedPlan& plan) {
+  const bool tissue = plan.model && plan.model->draws > 0;
+  if (plan.plan.steps.empty())
+    return tissue ? "the errors of tissue and mesh" : "the error of the mesh";
+  return tissue ? "the errors of execution, tissue and mesh" : "the errors of execution and mesh";
+}
+
+std::string why_not_acceptable(const RankedPlan& plan) {
+  if (plan.is_acceptable) return "";
+  if (plan.tier == PlanTier::Rejected) return "a rule of practice rejects it";
+  if (plan.tier == PlanTier::Untrusted) return "its closure failed";
+  if (plan.tier == PlanTier::FailsOften) return "too many closures with errors of execution failed";
+  if (plan.tier == PlanTier::Stenotic) return "it opens to less than 1.5 cm²";
+  if (plan.acceptable_probability < kAcceptable)
+    return "it leaks less than " + shown(kMildLeak_mm2) + " mm² with a probability of only " +
+           probability_words(plan.acceptable_probability);
+  if (plan.opening && plan.opening->measure.gradient_mmhg > kStenosis_mmhg)
+    return "its mean gradient at rest is " + gradient_words(plan.opening->measure.gradient_mmhg);
+  if (plan.fine && plan.fine_levels > 0 && !closes_finely(plan))
+    return "on the finer mesh it leaks " + with_decimals(plan.fine->leak_mm2, 1) + " mm²";
+  return "it was not closed in every way that is asked for";
+}
+
 std::string verdict_of(const std::vector<RankedPlan>& plans) {
   if (plans.empty()) return "";
   const RankedPlan& first = plans.front();
@@ -73,20 +97,22 @@ std::string verdict_of(const std::vector<RankedPlan>& plans) {
                              " mm² with a probability of " +
                              probability_words(first.acceptable_probability);
   if (first.plan.steps.empty())
-    return "Without repair the valve " + likely + ", given the errors of tissue and mesh" +
+    return "Without repair the valve " + likely + ", given " + known_errors(first) +
            (first.is_acceptable ? "; no repair is needed." : ".");
   if (first.region.closures < 2)
     return "It is unknown whether a plan is acceptable, because none was closed with errors of "
            "execution.";
-  if (!first.is_acceptable) return "No plan is acceptable; plan 1 " + likely + ".";
+  if (!first.is_acceptable)
+    return "No plan is acceptable; plan 1 is not, because " + why_not_acceptable(first) + ".";
   const auto alike = std::count_if(plans.begin(), plans.end(), [&](const RankedPlan& plan) {
     return plan.of_class == first.of_class;
   });
-  const std::string who = alike > 1 ? "Plans 1 to " + std::to_string(alike) +
+  const std::string who = alike > 1 ? (alike == 2 ? "Plans 1 and " : "Plans 1 to ") +
+                                          std::to_string(alike) +
                                           " are equivalent; plan 1 is the simplest of them. It"
                                     : std::string("Plan 1");
-  return who + " " + likely + ", given the errors of execution, tissue and mesh." +
-         anchors_of(first) + choice_of(plans);
+  return who + " " + likely + ", given " + known_errors(first) + "." + anchors_of(first) +
+         choice_of(plans);
 }
 
 }  // namespace coapt

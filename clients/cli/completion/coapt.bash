@@ -38,7 +38,7 @@ _coapt_values() {
         papillary_approximation:anterolateral papillary_approximation:posteromedial \
         papillary_approximation:ipsilateral_trigone papillary_approximation:saddle_peak \
         papillary_approximation:annulus_point neochorda:anterior neochorda:posterior \
-        edge_to_edge:stitch edge_to_edge:clip leaflet_resection:triangular leaflet_resection:quadrangular \
+        edge_to_edge:stitch edge_to_edge:clip edge_to_edge:cleft_suture leaflet_resection:triangular leaflet_resection:quadrangular \
         leaflet_resection:anterior leaflet_resection:posterior
       ;;
   esac

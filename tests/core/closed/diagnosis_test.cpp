@@ -119,6 +119,7 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   EXPECT_EQ(summary_of(of_preset("human-normal")), "The valve is competent.");
   Diagnosis doubtful;
   doubtful.leak_mm2 = 6.0;
+  doubtful.annulus_dilated = true;
   doubtful.leak_error_mm2 = 2.0;
   doubtful.competent_sure = false;
   doubtful.types = {CarpentierType::I};

@@ -63,12 +63,22 @@ TEST(ImageFiles, WithoutAFrameKnowTheirVoxelsSize) {
   }
 }
 
+TEST(ImageFiles, DamageThatOnlyAChecksumShowsIsRefused) {
+  std::string bytes = bytes_of(kFiles / "gzip.nrrd");
+  ASSERT_TRUE(read_label_map(bytes + std::string(16, '\0'))) << "padded";
+  bytes[bytes.size() - 8] ^= 1;  // the first byte of the checksum
+  const Expected<LabelMap> damaged = read_label_map(bytes);
+  ASSERT_FALSE(damaged);
+  EXPECT_NE(damaged.errors()[0].message.find("checksum"), std::string::npos);
+}
+
 TEST(ImageFiles, CutShortAnywhereAreRefused) {
   for (const fs::path& path : fs::directory_iterator(kFiles)) {
     if (fs::is_directory(path)) continue;
     const std::string bytes = bytes_of(path);
-    const std::size_t checksum = path.extension() == ".gz" || path == kFiles / "gzip.nrrd" ? 12 : 2;
-    for (std::size_t length = 0; length + checksum < bytes.size(); ++length)
+    // The end of a packed file has its checksum.
+    const bool packed = path.extension() == ".gz" || path == kFiles / "gzip.nrrd";
+    for (std::size_t length = 0; length + (packed ? 0 : 2) < bytes.size(); ++length)
       EXPECT_FALSE(read_label_map(std::string_view(bytes).substr(0, length))) << path << length;
   }
 }

@@ -33,6 +33,15 @@ TEST(Nrrd, RawVoxelsWithTheirFrame) {
   EXPECT_TRUE(map->centre_mm(1, 1, 1).isApprox(Vec3(1.5, 2.6, 3.7)));
 }
 
+TEST(Nrrd, ShearedDirectionsAreDoubted) {
+  const std::string voxels = "encoding: raw\n\n" + std::string("\0\1\2\3", 4);
+  EXPECT_EQ(read_nrrd(kHead + voxels)->frame_doubt, "");
+  const Expected<LabelMap> map = read_nrrd(with(kHead, "(0,0,0.7)", "(0.2,0,0.67)") + voxels);
+  ASSERT_TRUE(map);
+  EXPECT_NE(map->frame_doubt.find("17 degrees off a right angle"), std::string::npos)
+      << map->frame_doubt;
+}
+
 TEST(Nrrd, OtherSpacesAreTurnedToLps) {
   const std::string bytes = kHead + "encoding: ascii\n\n0 1\n2 3\n";
   const auto corner = [&](const std::string& space) {

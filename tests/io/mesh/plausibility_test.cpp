@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +43,11 @@ TEST(Plausibility, ASmallGapIsLookedAtAndAWholeOneIsNot) {
   EXPECT_TRUE(contour_checks(closed)->empty()) << "the first point again";
 }
 
+TEST(Plausibility, AGapBetweenFewPointsIsOneToo) {
+  EXPECT_FALSE(contour_checks(arc(288.0, 12))) << "96 degrees are missing";
+  EXPECT_TRUE(contour_checks(arc(360.0, 8))->empty());
+}
+
 TEST(Plausibility, AContourTwiceRoundIsRefused) {
   const auto checked = contour_checks(arc(720.0, 120));
   ASSERT_FALSE(checked);
@@ -55,6 +61,22 @@ std::vector<std::string> looked_at(const ImportSource& source, const ImportOptio
     for (const ImportDecision& decision : made->decisions)
       if (decision.look) subjects.push_back(decision.subject);
   return subjects;
+}
+
+TEST(Plausibility, TipsBesideTheValveAreLookedAt) {
+  ImportSource source = cone_source();
+  ImportOptions options;
+  options.chordae_seed = 1;
+  const auto with_tips = [&](double across_mm, double front_mm) {
+    source.chordae.clear();
+    source.tips = {{Side::Anterolateral, {-across_mm, front_mm, -25.0}},
+                   {Side::Posteromedial, {across_mm, front_mm, -25.0}}};
+    const std::vector<std::string> looks = looked_at(source, options);
+    return std::count(looks.begin(), looks.end(), "size");
+  };
+  const auto usual = with_tips(10.0, -3.0);
+  EXPECT_EQ(with_tips(10.0, 17.0), usual + 1) << "in front";
+  EXPECT_EQ(with_tips(45.0, -3.0), usual + 1) << "to the sides";
 }
 
 TEST(Plausibility, SizesOfNoHeartAreLookedAt) {

@@ -13,6 +13,8 @@ RankedPlan plan_of(int rank, const RepairPlan& plan, int of_class = 1) {
   ranked.region.closures = 17;
   ranked.acceptable_probability = 0.97;
   ranked.is_acceptable = true;
+  ranked.tier = PlanTier::Acceptable;
+  ranked.model = ModelSpread{.draws = 8};
   return ranked;
 }
 
@@ -31,8 +33,17 @@ TEST(Verdict, SaysWhichPlansCannotBeToldApart) {
       verdict_of({plan_of(1, kRing), plan_of(2, kRing, 2)}),
       "Plan 1 leaks less than 5 mm² with a probability of 97.0 %, given the errors of execution, "
       "tissue and mesh.");
-  EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing)}).find("Plans 1 to 2 are equivalent"),
+  EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing)}).find("Plans 1 and 2 are equivalent"),
             0u);
+  EXPECT_EQ(verdict_of({plan_of(1, kRing), plan_of(2, kRing), plan_of(3, kRing)})
+                .find("Plans 1 to 3 are equivalent"),
+            0u);
+}
+
+TEST(Verdict, NamesTheErrorsThatAreKnown) {
+  RankedPlan plan = plan_of(1, kRing);
+  plan.model.reset();
+  EXPECT_NE(verdict_of({plan}).find("given the errors of execution and mesh."), std::string::npos);
 }
 
 TEST(Verdict, SaysWhatTheOtherAnchorWouldChange) {
@@ -79,9 +90,23 @@ TEST(Verdict, CallsAPlanThatHangsOnThresholdsAChoice) {
 TEST(Verdict, SaysThatNoPlanIsAcceptable) {
   RankedPlan bad = plan_of(1, kRing);
   bad.is_acceptable = false;
+  bad.tier = PlanTier::NotAcceptable;
   bad.acceptable_probability = 0.4;
   EXPECT_EQ(verdict_of({bad}),
-            "No plan is acceptable; plan 1 leaks less than 5 mm² with a probability of 40 %.");
+            "No plan is acceptable; plan 1 is not, because it leaks less than 5 mm² with a "
+            "probability of only 40 %.");
+  bad.acceptable_probability = 0.999;
+  bad.opening.emplace();
+  bad.opening->measure.gradient_mmhg = 5.04;
+  EXPECT_EQ(why_not_acceptable(bad), "its mean gradient at rest is 5.04 mmHg, above 5 mmHg");
+  bad.opening->measure.gradient_mmhg = 4.0;
+  bad.fine_levels = 1;
+  EXPECT_EQ(why_not_acceptable(bad), "it was not closed in every way that is asked for");
+  bad.fine.emplace();
+  bad.fine->leak_mm2 = 7.2;
+  EXPECT_EQ(why_not_acceptable(bad), "on the finer mesh it leaks 7.2 mm²");
+  bad.tier = PlanTier::Stenotic;
+  EXPECT_EQ(why_not_acceptable(bad), "it opens to less than 1.5 cm²");
   bad.region.closures = 1;
   EXPECT_EQ(verdict_of({bad}).find("It is unknown"), 0u);
 }
