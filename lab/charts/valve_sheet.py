@@ -20,7 +20,8 @@ from PIL import Image, ImageDraw, ImageFont
 CALIBRATED = "examples/calibration/human-normal.json"
 EDGE_TO_EDGE = "examples/plans/edge-to-edge.json"
 FOLDING = ["--commissural-slack", "1.4", "--commissure-height-mm", "8"]
-COMMISSURE = ["--rupture", "A1", "--rupture", "P1", "--ap-dilation", "10"]
+LOOSE = ["--commissural-slack", "1.5"]
+COMMISSURE = ["--rupture", "A1", "--rupture", "P1"]
 CLEFTS = ["--cleft-depth-mm", "8"]
 # Name and what is written over it; a valve is a preset, or made below.
 VALVES = {
@@ -62,8 +63,9 @@ def made_valve(coapt, name, folder):
         subprocess.run([coapt, "valve", "make", "--dimensions", CALIBRATED, *FOLDING, "-o", valve], check=True)
         return valve, []
     if name == "commissure":
-        valve = folder / "commissure.json"
-        subprocess.run([coapt, "valve", "remodel", "human-normal", *COMMISSURE, "-o", valve], check=True)
+        loose, valve = folder / "loose.json", folder / "commissure.json"
+        subprocess.run([coapt, "valve", "make", "--dimensions", CALIBRATED, *LOOSE, "-o", loose], check=True)
+        subprocess.run([coapt, "valve", "remodel", loose, *COMMISSURE, "-o", valve], check=True)
         return valve, []
     if name == "clefts":
         valve = folder / "clefts.json"

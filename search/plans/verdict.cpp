@@ -81,7 +81,7 @@ std::string why_not_acceptable(const RankedPlan& plan) {
   if (plan.tier == PlanTier::FailsOften) return "too many closures with errors of execution failed";
   if (plan.tier == PlanTier::Stenotic) return "it opens to less than 1.5 cm²";
   if (plan.acceptable_probability < kAcceptable)
-    return "it leaks less than " + shown(kMildLeak_mm2) + " mm² with a probability of only " +
+    return "the probability that it leaks less than " + shown(kMildLeak_mm2) + " mm² is " +
            probability_words(plan.acceptable_probability);
   if (plan.opening && plan.opening->measure.gradient_mmhg > kStenosis_mmhg)
     return "its mean gradient at rest is " + gradient_words(plan.opening->measure.gradient_mmhg);
