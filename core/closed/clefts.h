@@ -19,7 +19,8 @@ struct Cleft {
   double leak_mm2 = 0.0;  ///< that passes beside its root
 };
 
-/// From the anterolateral side on: kDeepCleft deep at least, with more than `least_mm2` of the leak nearer to its root than it is deep. @param closed_mm the valve's vertices. @pre the valve is mitral.
+/// From the anterolateral side on: kDeepCleft deep at least, with more than `least_mm2` of the leak nearer to its root than it is deep.
+/// @param closed_mm the valve's vertices. @pre the valve is mitral.
 std::vector<Cleft> leaking_clefts(const Valve& valve, const Points& closed_mm,
                                   const ValveMeasure& measure, double least_mm2);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
@@ -31,18 +32,26 @@ double grasp_share(const Valve& valve, const LeafletCoordinates& coordinates, Le
   return std::min(kMostGrasp, clip.grasp_mm / height_mm);
 }
 
-/// Where one is on the posterior free edge after so many millimetres along it.
-double along_edge(const Valve& valve, const LeafletCoordinates& coordinates, double along,
-                  double reach_mm, double onwards) {
+/// Places on the posterior free edge after each `step_mm` along it, `count` of them.
+std::vector<Insertion> along_edge(const Valve& valve, const LeafletCoordinates& coordinates,
+                                  double along, double onwards, double step_mm, int count) {
   constexpr double kStep = 0.002;
-  Vec3 last = rest_position_mm(valve, coordinates, {Leaflet::Posterior, along, 1.0});
-  for (double walked_mm = 0.0; walked_mm < reach_mm && along > kStep && along < 1.0 - kStep;) {
-    along += onwards * kStep;
-    const Vec3 next = rest_position_mm(valve, coordinates, {Leaflet::Posterior, along, 1.0});
-    walked_mm += (next - last).norm();
-    last = next;
+  const auto at = [&](double place) {
+    return rest_position_mm(valve, coordinates, {Leaflet::Posterior, place, 1.0});
+  };
+  std::vector<Insertion> places;
+  Vec3 last = at(along);
+  double walked_mm = 0.0;
+  for (int i = 1; i <= count; ++i) {
+    while (walked_mm < step_mm * i && along > kStep && along < 1.0 - kStep) {
+      along += onwards * kStep;
+      const Vec3 next = at(along);
+      walked_mm += (next - last).norm();
+      last = next;
+    }
+    places.push_back(locate(valve, coordinates, {Leaflet::Posterior, along, 1.0}));
   }
-  return along;
+  return places;
 }
 
 int next_number(const Valve& valve) {
@@ -110,16 +119,12 @@ void apply_edge_to_edge(const EdgeToEdge& step, const LeafletCoordinates& coordi
     valve.ties.push_back(std::move(made));
   };
   if (step.device == EdgeDevice::CleftSuture) {
-    const auto edge = [&](double reach_mm, double onwards) {
-      return locate(
-          valve, coordinates,
-          {Leaflet::Posterior, along_edge(valve, coordinates, step.along, reach_mm, onwards), 1.0});
-    };
     const int ties = std::max(1, static_cast<int>(std::lround(step.width_mm / kTieSpacing_mm)));
-    for (int i = 1; i <= ties; ++i) {
-      const double reach_mm = step.width_mm * i / ties;
-      tie(i, edge(reach_mm, -1.0), edge(reach_mm, 1.0));
-    }
+    const auto edge = [&](double onwards) {
+      return along_edge(valve, coordinates, step.along, onwards, step.width_mm / ties, ties);
+    };
+    const std::vector<Insertion> before = edge(-1.0), after = edge(1.0);
+    for (int i = 0; i < ties; ++i) tie(i + 1, before[i], after[i]);
     return;
   }
   const int count = 1 + static_cast<int>(std::lround(step.width_mm / kTieSpacing_mm));

@@ -83,7 +83,8 @@ std::string why_not_acceptable(const RankedPlan& plan) {
   if (plan.acceptable_probability < kAcceptable)
     return "the probability that it leaks less than " + shown(kMildLeak_mm2) + " mm² is " +
            probability_words(plan.acceptable_probability);
-  if (plan.opening && plan.opening->measure.gradient_mmhg > kStenosis_mmhg)
+  if (plan.opening && trusted(*plan.opening) &&
+      plan.opening->measure.gradient_mmhg > kStenosis_mmhg)
     return "its mean gradient at rest is " + gradient_words(plan.opening->measure.gradient_mmhg);
   if (plan.fine && plan.fine_levels > 0 && !closes_finely(plan))
     return "on the finer mesh it leaks " + with_decimals(plan.fine->leak_mm2, 1) + " mm²";

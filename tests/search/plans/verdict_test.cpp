@@ -97,8 +97,11 @@ TEST(Verdict, SaysThatNoPlanIsAcceptable) {
             "than 5 mm² is 40 %.");
   bad.acceptable_probability = 0.999;
   bad.opening.emplace();
+  bad.opening->measure.opening_area_mm2 = 300.0;
   bad.opening->measure.gradient_mmhg = 5.04;
   EXPECT_EQ(why_not_acceptable(bad), "its mean gradient at rest is 5.04 mmHg, above 5 mmHg");
+  bad.opening->two_orifices = true;
+  EXPECT_EQ(why_not_acceptable(bad).find("gradient"), std::string::npos) << "it is not known";
   bad.opening->measure.gradient_mmhg = 4.0;
   bad.fine_levels = 1;
   EXPECT_EQ(why_not_acceptable(bad), "it was not closed in every way that is asked for");
