@@ -65,6 +65,11 @@ std::string choice_of(const std::vector<RankedPlan>& plans) {
          std::to_string(first) + " of " + std::to_string(settings) + " settings, " + others + ".";
 }
 
+std::string how_likely(const RankedPlan& plan) {
+  return "leaks less than " + shown(kMildLeak_mm2) + " mm² with a probability of " +
+         probability_words(plan.acceptable_probability);
+}
+
 }  // namespace
 
 std::string known_errors(const RankedPlan& plan) {
@@ -80,9 +85,7 @@ std::string why_not_acceptable(const RankedPlan& plan) {
   if (plan.tier == PlanTier::Untrusted) return "its closure failed";
   if (plan.tier == PlanTier::FailsOften) return "too many closures with errors of execution failed";
   if (plan.tier == PlanTier::Stenotic) return "it opens to less than 1.5 cm²";
-  if (plan.acceptable_probability < kAcceptable)
-    return "the probability that it leaks less than " + shown(kMildLeak_mm2) + " mm² is " +
-           probability_words(plan.acceptable_probability);
+  if (plan.acceptable_probability < kAcceptable) return "it " + how_likely(plan);
   if (plan.opening && trusted(*plan.opening) &&
       plan.opening->measure.gradient_mmhg > kStenosis_mmhg)
     return "its mean gradient at rest is " + gradient_words(plan.opening->measure.gradient_mmhg);
@@ -94,9 +97,7 @@ std::string why_not_acceptable(const RankedPlan& plan) {
 std::string verdict_of(const std::vector<RankedPlan>& plans) {
   if (plans.empty()) return "";
   const RankedPlan& first = plans.front();
-  const std::string likely = "leaks less than " + shown(kMildLeak_mm2) +
-                             " mm² with a probability of " +
-                             probability_words(first.acceptable_probability);
+  const std::string likely = how_likely(first);
   if (first.plan.steps.empty())
     return "Without repair the valve " + likely + ", given " + known_errors(first) +
            (first.is_acceptable ? "; no repair is needed." : ".");

@@ -87,7 +87,7 @@ class Evaluate(ProgramTest):
         self.assertEqual(words.returncode, NO_COMPETENT_PLAN)
         self.assertRegex(
             words.stdout,
-            r"\nNo plan is acceptable; plan 1 is not, because the probability that it leaks less than 5\s+mm²\s+is",
+            r"\nNo plan is acceptable; plan 1 is not, because it leaks less than 5 mm²\s+with\s+a\s+probability of",
         )
         self.assertIn(f"{self.mild}:\n", words.stdout)
 

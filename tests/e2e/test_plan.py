@@ -177,7 +177,7 @@ class Plan(ProgramTest):
         self.assertEqual(told.returncode, NO_COMPETENT_PLAN)
         self.assertRegex(
             told.stdout,
-            r"\nNo plan is acceptable; plan 1 is not, because the probability that it leaks less than 5\s+mm²\s+is",
+            r"\nNo plan is acceptable; plan 1 is not, because it leaks less than 5 mm²\s+with\s+a\s+probability of",
         )
         self.assertRegex(told.stdout, r"\n +1  \S+ ")
 

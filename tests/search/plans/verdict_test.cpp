@@ -93,8 +93,8 @@ TEST(Verdict, SaysThatNoPlanIsAcceptable) {
   bad.tier = PlanTier::NotAcceptable;
   bad.acceptable_probability = 0.4;
   EXPECT_EQ(verdict_of({bad}),
-            "No plan is acceptable; plan 1 is not, because the probability that it leaks less "
-            "than 5 mm² is 40 %.");
+            "No plan is acceptable; plan 1 is not, because it leaks less than 5 mm² "
+            "with a probability of 40 %.");
   bad.acceptable_probability = 0.999;
   bad.opening.emplace();
   bad.opening->measure.opening_area_mm2 = 300.0;
