@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/valve/leaflet_point.h"
+#include "core/valve/turns.h"
 
 namespace coapt {
 namespace {
@@ -52,27 +53,56 @@ void add_leak(const LeakOpening& opening, const std::vector<Vec3>& roots_mm,
   }
 }
 
+/// Vertices of one height, 0 (the annulus) or 1 (the free edge), in the order in which they lie around the valve.
+class Rim {
+ public:
+  Rim(const LeafletCoordinates& coordinates, double height) {
+    for (std::size_t v = 0; v < coordinates.height.size(); ++v)
+      if (coordinates.height[v] == height)
+        at_.emplace_back(coordinates.around[v], static_cast<Index>(v));
+    std::sort(at_.begin(), at_.end());
+  }
+
+  /// Between the vertices beside `around`, of a shape.
+  Vec3 place_mm(double around, const Points& shape_mm) const {
+    const auto after = std::upper_bound(at_.begin(), at_.end(), std::pair(around, shape_mm.rows()));
+    const auto& [to, to_vertex] = after == at_.end() ? at_.front() : *after;
+    const auto& [from, from_vertex] = after == at_.begin() ? at_.back() : *(after - 1);
+    const double span = turn_fraction(to - from);
+    const double share = span > 0.0 ? turn_fraction(around - from) / span : 0.0;
+    const Vec3 before = shape_mm.row(from_vertex), behind = shape_mm.row(to_vertex);
+    return (1.0 - share) * before + share * behind;
+  }
+
+ private:
+  std::vector<std::pair<double, Index>> at_;
+};
+
 /// The height of the posterior leaflet, from the annulus straight to the free edge, along it.
 class Heights {
  public:
-  explicit Heights(const Valve& valve) : valve_(valve), coordinates_(leaflet_coordinates(valve)) {}
+  explicit Heights(const Valve& valve)
+      : valve_(valve),
+        coordinates_(leaflet_coordinates(valve)),
+        annulus_(coordinates_, 0.0),
+        edge_(coordinates_, 1.0) {}
 
   double at(double along) const {
-    return (rest_position_mm(valve_, coordinates_, {Leaflet::Posterior, along, 1.0}) -
-            rest_position_mm(valve_, coordinates_, {Leaflet::Posterior, along, 0.0}))
+    const double place = around({Leaflet::Posterior, along, 1.0});
+    return (edge_.place_mm(place, valve_.rest_mm) - annulus_.place_mm(place, valve_.rest_mm))
         .norm();
   }
 
   double middle_of(Segment segment) const { return middle_along(valve_, coordinates_, segment); }
 
   Vec3 edge_mm(double along, const Points& closed_mm) const {
-    return position(locate(valve_, coordinates_, {Leaflet::Posterior, along, 1.0}), valve_.faces,
-                    closed_mm);
+    return edge_.place_mm(around({Leaflet::Posterior, along, 1.0}), closed_mm);
   }
 
  private:
   const Valve& valve_;
   LeafletCoordinates coordinates_;
+  Rim annulus_, edge_;
 };
 
 /// As deep as the free edge lies below the line between the middles of two scallops; its root is the middle of what lies half as deep.

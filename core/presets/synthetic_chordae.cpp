@@ -162,7 +162,12 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
   Draw draw(seed);
   const Points drawn_mm = drawn_tips(valve, draw);  // drawn in any case: the rest is the same
   const Points& at_mm = tips_mm.rows() > 0 ? tips_mm : drawn_mm;
-  if (Errors errors = check_tips(at_mm); !errors.empty()) return errors;
+  if (Errors errors = check_tips(at_mm); !errors.empty()) {
+    if (tips_mm.rows() > 0) return errors;
+    return Error{ErrorCode::OutOfRange, "/annulus_mm",
+                 "is of a size for which no papillary tips can be synthesised: the depth of a tip " +
+                     errors[0].message};
+  }
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   const auto located = [&](const ChordaSite& site) {
     return locate(valve, coordinates, leaflet_point(site.around, site.height));

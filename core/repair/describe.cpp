@@ -36,21 +36,23 @@ class Anatomy {
   Anatomy(const Valve& of, const LeafletCoordinates* coordinates)
       : valve(of), coordinates_(coordinates) {}
 
-  std::string place(const LeafletPoint& point) {
+  std::string segment(const LeafletPoint& point) {
     if (coordinates_ == nullptr) coordinates_ = &own_.emplace(leaflet_coordinates(valve));
-    const std::string segment = words(valve.segments[locate(valve, *coordinates_, point).face]);
+    return words(valve.segments[locate(valve, *coordinates_, point).face]);
+  }
+
+  std::string place(const LeafletPoint& point) {
+    const std::string segment = this->segment(point);
     if (point.height >= kFreeEdge) return "the free edge of " + segment;
     return segment + " at " + std::to_string(static_cast<int>(100.0 * point.height + 0.5)) +
            " % of its height";
   }
 
-  /// Of the posterior free edge before a place and after it: "P1 and P2", or one.
+  /// Of the posterior free edge before a place and after it: "between P1 and P2", "in P2".
   std::string either_side(double along) {
     constexpr double kBeside = 0.04;
-    const std::string edge = "the free edge of ";
-    const std::string before =
-        place({Leaflet::Posterior, along - kBeside, 1.0}).substr(edge.size());
-    const std::string after = place({Leaflet::Posterior, along + kBeside, 1.0}).substr(edge.size());
+    const std::string before = segment({Leaflet::Posterior, along - kBeside, 1.0});
+    const std::string after = segment({Leaflet::Posterior, along + kBeside, 1.0});
     return before == after ? "in " + before : "between " + before + " and " + after;
   }
 

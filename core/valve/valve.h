@@ -152,7 +152,7 @@ struct DrawnChordae {
 /// What a fit to a closed surface left uncertain (search/fit/fitted_draw.h).
 struct FittedValues {
   std::vector<std::string> parameters;  ///< unique names, as fit_parameters() gives them
-  /// Of what may be added to each: mm or 1; of a slack, to a factor of 1 on the lengths as they are.
+  /// Of what may be added to each: mm or 1; of a slack or the stiffness, to a factor of 1 on lengths or moduli as they are.
   Eigen::MatrixXd covariance;
 };
 

@@ -18,6 +18,7 @@
 #include "io/mesh/given_landmarks.h"
 #include "io/mesh/gltf.h"
 #include "io/mesh/import_readers.h"
+#include "io/mesh/plausibility.h"
 #include "io/mesh/source_units.h"
 
 namespace coapt {
@@ -47,15 +48,26 @@ std::string format_of(const std::string& file_name) {
   return extension;
 }
 
+namespace {
+
+Expected<Points> without_stray(Expected<Points> loop) {
+  if (!loop) return loop;
+  if (const std::string stray = stray_point(*loop); !stray.empty())
+    return Error{ErrorCode::BadGeometry, "", stray};
+  return loop;
+}
+
+}  // namespace
+
 Expected<Points> read_closed_loop(std::string_view text, const std::string& format) {
   if (format == "obj" || format == "vtk" || format == "vtp" || is_gltf_format(format))
-    return read_mesh_line(text, format);
+    return without_stray(read_mesh_line(text, format));
   if (format == "ply" || format == "stl" || format == "vtu")
     return Error{ErrorCode::Unsupported, "",
                  "is a surface, ." + format +
                      "; an annulus must be a table, a closed curve from Slicer (.mrk.json), or "
                      "lines in OBJ, glTF, .vtk or .vtp"};
-  if (format != "json") return read_points_csv(text);
+  if (format != "json") return without_stray(read_points_csv(text));
   const Expected<std::vector<Markup>> markups = read_markups(text);
   if (!markups) return markups.errors();
   std::vector<const Markup*> curves, named;
@@ -70,7 +82,10 @@ Expected<Points> read_closed_loop(std::string_view text, const std::string& form
                  "has " + std::to_string(curves.size()) + " ClosedCurves, " +
                      std::to_string(named.size()) +
                      " of them named as a mitral annulus; must have one, or one with such a name"};
-  Expected<Points> drawn = drawn_closed_curve(curves.size() > 1 ? *named[0] : *curves[0]);
+  const Markup& curve = curves.size() > 1 ? *named[0] : *curves[0];
+  if (const auto loop = without_stray(curve.points_mm); !loop)
+    return Error{loop.errors()[0].code, "/markups", loop.errors()[0].message};
+  Expected<Points> drawn = drawn_closed_curve(curve);
   if (!drawn) return Error{drawn.errors()[0].code, "/markups", drawn.errors()[0].message};
   return drawn;
 }
@@ -283,12 +298,19 @@ void take_annulus(const NamedFile& file, AxesOfFiles& axes, ImportSource& source
   if (axes.turned(file, "annulus", format == "json")) turn_axes(source.annulus_mm);
 }
 
+/// The unit that the columns of a table state; none of other formats, which have one.
+std::optional<LengthUnit> unit_of_table(const NamedFile& file,
+                                        std::initializer_list<std::string_view> columns) {
+  return is_table_format(format_of(file.name)) ? stated_unit(file.bytes, columns) : std::nullopt;
+}
+
 /// What else a person saw: chordae, tips, landmarks.
 void take_others(const ImportFiles& files, AxesOfFiles& axes, ImportSource& source,
                  ProblemList& problems) {
   if (files.chordae) {
     take(read_chordae(files.chordae->bytes, format_of(files.chordae->name)), "/chordae", problems,
          source.chordae);
+    source.chordae_unit = unit_of_table(*files.chordae, {"papillary"});
     tell_columns(*files.chordae, "chordae",
                  {"id", "papillary", "ins_x", "ins_y", "ins_z", "tip_x", "tip_y", "tip_z", "kind"},
                  source);
@@ -298,6 +320,7 @@ void take_others(const ImportFiles& files, AxesOfFiles& axes, ImportSource& sour
   if (files.tips) {
     const std::string format = format_of(files.tips->name);
     take(read_tips(files.tips->bytes, format), "/tips", problems, source.tips);
+    source.tips_unit = unit_of_table(*files.tips, {"papillary", "label"});
     tell_columns(*files.tips, "papillary tips", {"papillary", "label", "x"}, source);
     if (axes.turned(*files.tips, "papillary tips", format == "json"))
       for (ImportedTip& tip : source.tips) turn_axes(tip.position_mm);
@@ -305,6 +328,7 @@ void take_others(const ImportFiles& files, AxesOfFiles& axes, ImportSource& sour
   if (files.landmarks) {
     const std::string format = format_of(files.landmarks->name);
     take(landmarks_in(files.landmarks->bytes, format), "/landmarks", problems, source.landmarks);
+    source.landmarks_unit = unit_of_table(*files.landmarks, {"label", "name"});
     tell_columns(*files.landmarks, "landmarks", {"label", "name", "x"}, source);
     if (axes.turned(*files.landmarks, "landmarks", format == "json"))
       for_each_given(source.landmarks, [](Vec3 place) {
@@ -331,6 +355,11 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
     problems.add(ErrorCode::MissingField, "/labels",
                  "is missing: --series applies only to a label map");
   if (files.annulus) take_annulus(*files.annulus, axes, source, problems);
+  if (files.annulus && problems.empty() &&
+      std::any_of(files.leaflets.begin(), files.leaflets.end(), [](const NamedFile& file) {
+        return is_gltf_format(format_of(file.name));
+      }))
+    take_metres(source);
   take_others(files, axes, source, problems);
   if (!problems.empty()) return std::move(problems).take();
   const std::vector<ImportDecision> turned = std::move(axes).take();

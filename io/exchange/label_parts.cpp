@@ -174,7 +174,11 @@ class LabelChoice {
                           std::any_of(posterior.begin(), posterior.end(), is_given)
                       ? LeafletClaim::Given
                       : LeafletClaim::Named;
-    order.called = {called(ValvePart::Anterior), called(ValvePart::Posterior)};
+    // Of one leaflet, whatever it is made of: what is said of it is a sentence in the singular.
+    const auto as_one = [&](ValvePart part) {
+      return (of(part).size() > 1 ? "the union of " : "") + called(part);
+    };
+    order.called = {as_one(ValvePart::Anterior), as_one(ValvePart::Posterior)};
     for (std::size_t i = 0; i < 2; ++i) {
       const auto &first = i == 0 ? anterior : posterior, &second = i == 0 ? posterior : anterior;
       if (first.size() == 1 && second.size() == 1)

@@ -4,6 +4,7 @@
 #include "io/image/nrrd.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <map>
@@ -14,6 +15,7 @@
 #include "io/image/image_geometry.h"
 #include "io/image/label_map.h"
 #include "io/image/voxel_stream.h"
+#include "io/mesh/source_units.h"
 #include "io/mesh/text_scan.h"
 
 namespace coapt {
@@ -289,10 +291,37 @@ class NrrdReader {
     for (Index axis = 0; axis < 3; ++axis)
       map_.to_lps_mm.block<3, 1>(0, axis) = steps[static_cast<std::size_t>(axis)];
     if (!origin->empty() && origin->front()) map_.to_lps_mm.block<3, 1>(0, 3) = *origin->front();
+    const auto to_mm =
+        directions->empty() ? units_mm("units", axes.list) : units_mm("space units", -1);
+    for (Index axis = 0; axis < 3; ++axis)
+      map_.to_lps_mm.row(axis) *= to_mm[static_cast<std::size_t>(axis)];
     map_.to_lps_mm.row(0) *= space->x;
     map_.to_lps_mm.row(1) *= space->y;
     doubt_sheared();
     check_voxel_steps(map_.to_lps_mm, "/space directions", problems_);
+  }
+
+  /// How many millimetres the quoted units of a field are, but for that at `passed_over`; 1 where it states none.
+  std::array<double, 3> units_mm(const std::string& field, int passed_over) {
+    constexpr double kMicrometre_mm = 0.001;
+    std::array<double, 3> all = {1.0, 1.0, 1.0};
+    const std::string text = lower(header_.field(field));
+    std::size_t axis = 0, close = 0;
+    for (std::size_t open = text.find('"'), i = 0; open != std::string::npos && axis < 3;
+         open = text.find('"', std::min(close + 1, text.size())), ++i) {
+      close = std::min(text.find('"', open + 1), text.size());
+      if (static_cast<int>(i) == passed_over) continue;
+      const std::string unit = text.substr(open + 1, close - open - 1);
+      if (const auto named = unit_named(unit))
+        all[axis] = in_mm(*named);
+      else if (unit == "um")
+        all[axis] = kMicrometre_mm;
+      else if (!unit.empty())
+        problems_.add(ErrorCode::Unsupported, '/' + field,
+                      "must be \"mm\", \"cm\", \"m\", \"um\" or \"in\", or left out");
+      ++axis;
+    }
+    return all;
   }
 
   void doubt_sheared() {

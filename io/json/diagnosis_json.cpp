@@ -33,14 +33,18 @@ Json thresholds() {
   };
   return Json::array(
       {row("leak_mm2", kMildLeak_mm2, "mm2", "thesis 4.2.3"),
-       row("override_mm", kProlapse_mm, "mm", kMade), row("tethering", 0.5, "1", kMade),
+       row("override_mm", kProlapse_mm, "mm", kMade),
+       row("override_mm of a segment with ruptured chordae", kFlail_mm, "mm", "assumed"),
+       row("tethering", 0.5, "1", kMade),
        row("tip_to_trigone_mm", kMostNormalTipToTrigone_mm, "mm", "57 cadavers, mean + sd"),
        row("ap_mm", kDilatedAp_mm, "mm", "ESC/EACTS guidelines on valvular heart disease 2012"),
        row("ap_mm over transverse_mm", kRoundAnnulus, "1",
            "healthy 0.75 ± 0.07 (PMC7368231, table 3), mean + 2 sd"),
        row("share_of_height of a cleft", kDeepCleft, "1", "assumed"),
        row("opening_area_mm2", kCannotOpen_mm2, "mm2",
-           "severe stenosis, ASE/EACVI recommendations 2009")});
+           "severe stenosis, ASE/EACVI recommendations 2009"),
+       row("opening_area_mm2 over the annulus", kCannotOpenShare, "1",
+           "healthy valves open to half of it")});
 }
 
 }  // namespace

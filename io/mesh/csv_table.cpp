@@ -4,13 +4,14 @@
 #include <array>
 #include <cctype>
 
+#include "io/mesh/source_units.h"
+
 namespace coapt {
 namespace {
 
 constexpr std::size_t kMaxRows = 100'000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::array<std::string_view, 6> kFormats = {"csv", "txt", "tsv", "dat", "xyz", "fcsv"};
-constexpr std::array<std::string_view, 4> kUnitWords = {"mm", "cm", "in", "m"};
 constexpr std::array<std::string_view, 4> kUnitEndings = {"_mm", "_cm", "_in", "_m"};
 
 /// What is between fields; a blank stands for any number of blanks and tabs.
@@ -88,18 +89,19 @@ std::vector<std::string> names_in(std::string_view line, bool comment,
   return names;
 }
 
-/// The one unit that all fields of a row say, as some programs write below the names; else empty.
-std::string unit_row(std::string_view line) {
-  std::string unit;
+/// Of a row of units, as some programs write below the names: one for each field, or nothing for what has none; else empty.
+std::vector<std::string> unit_row(std::string_view line) {
+  std::vector<std::string> units;
   for (const std::string_view field : split(line, separator_of(line))) {
     const std::string_view word = trimmed(field.substr(0, field.find_last_not_of(")]") + 1));
-    const std::string name(word.substr(std::min(word.find_first_not_of("[("), word.size())));
-    if (std::find(kUnitWords.begin(), kUnitWords.end(), name) == kUnitWords.end() ||
-        (!unit.empty() && name != unit))
-      return {};
-    unit = name;
+    const std::string_view name = word.substr(std::min(word.find_first_not_of("[("), word.size()));
+    const bool none = name.empty() || name == "-";
+    if (!none && !unit_named(name)) return {};
+    units.emplace_back(none ? "" : name);
   }
-  return unit;
+  const auto stated = std::count_if(units.begin(), units.end(),
+                                    [](const std::string& unit) { return !unit.empty(); });
+  return stated < 3 ? std::vector<std::string>{} : units;
 }
 
 /// Between brackets, or behind an underscore.
@@ -112,12 +114,24 @@ std::string unit_of_name(std::string_view name) {
   return {};
 }
 
-/// The first that the name of an axis states.
-std::string unit_in(std::string_view line) {
+std::vector<std::string> units_in(std::string_view line) {
+  std::vector<std::string> units;
   for (const std::string_view field : split(line, separator_of(line)))
-    if (const std::string axis = plain_name(field);
-        axis.size() == 1 && std::string_view("xyzraslp").find(axis) != std::string_view::npos)
-      if (std::string unit = unit_of_name(field); !unit.empty()) return unit;
+    units.push_back(unit_of_name(field));
+  return units;
+}
+
+/// "x", "s", "tip_z".
+bool is_coordinate(std::string_view name) {
+  const std::size_t before = name.size() < 3 ? 0 : name.size() - 2;
+  return (name.size() == 1 && std::string_view("xyzraslp").find(name) != std::string_view::npos) ||
+         (before > 0 && name[before] == '_' &&
+          std::string_view("xyz").find(name.back()) != std::string_view::npos);
+}
+
+std::string unit_of_coordinates(const CsvTable& table) {
+  for (std::size_t i = 0; i < std::min(table.names.size(), table.units.size()); ++i)
+    if (is_coordinate(table.names[i]) && !table.units[i].empty()) return table.units[i];
   return {};
 }
 
@@ -171,14 +185,16 @@ Expected<CsvTable> read_csv(std::string_view text,
     if (table.rows.empty()) {
       if (auto names = names_in(content, comment, columns); !names.empty()) {
         table.names = std::move(names);
-        table.unit = unit_in(content);
+        table.units = units_in(content);
+        table.unit = unit_of_coordinates(table);
         continue;
       }
     }
     if (comment) continue;
     if (table.rows.empty() && !table.names.empty())
-      if (std::string unit = unit_row(content); !unit.empty()) {
-        table.unit = std::move(unit);
+      if (std::vector<std::string> units = unit_row(content); !units.empty()) {
+        table.units = std::move(units);
+        table.unit = unit_of_coordinates(table);
         continue;
       }
     if (separator == 0) {

@@ -20,8 +20,10 @@ struct CsvTable {
   std::vector<std::string>
       names;  ///< of the columns, plain_name() of each; empty if they are not given
   std::vector<CsvRow> rows;
+  /// Of the columns, as their names or a row below them state: "cm" of "x [cm]" or "x_cm"; empty: not stated.
+  std::vector<std::string> units;
+  std::string unit;             ///< the first that a coordinate states; else empty
   bool decimal_commas = false;  ///< "1,5" is a number
-  std::string unit;  ///< that the names of axes state, "cm" of "x [cm]" or "x_cm"; else empty
 
   bool has(std::string_view column) const;
   std::optional<double> number(std::string_view field) const;

@@ -7,6 +7,7 @@
 namespace coapt {
 namespace {
 
+constexpr double kUsualMove_mm = 4.0;  // more is looked at
 constexpr int kArcs = 1440;  // looked at along the annulus, a tenth of a millimetre apart
 
 struct NamedLandmark {
@@ -63,13 +64,53 @@ void check_given(const FramedSource& source, ProblemList& problems) {
                        "; must lie within 10 mm of the annulus, in the coordinates and units of "
                        "the files");
   }
+  const auto& [lateral, medial, peak, posterior] = source.landmarks;
+  if (lateral && medial && lateral->x() > medial->x())
+    problems.add(ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
+                 "lies on the posteromedial side, and the posteromedial commissure on the "
+                 "anterolateral one; exchange the two, or check the axes of the files");
 }
 
-std::string given_names(const GivenLandmarks& given) {
-  std::string names;
-  for (const NamedLandmark& landmark : named(given))
-    if (landmark.place_mm) names += (names.empty() ? "" : ", ") + std::string(landmark.words);
-  return names;
+Expected<std::vector<ImportDecision>> given_decisions(const GivenLandmarks& given,
+                                                      const Skirt& skirt, const Landmarks& taken) {
+  const std::array stations = {taken.anterolateral_commissure, taken.posteromedial_commissure,
+                               taken.saddle_peak, taken.mid_posterior};
+  const auto landmarks = named(given);
+  ProblemList problems;
+  std::string names, alone, furthest;
+  double moved_mm = 0.0;
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    const NamedLandmark& landmark = landmarks[i];
+    if (!landmark.place_mm) continue;
+    if (i < 2 && !skirt.commissures_given) {
+      alone = landmark.words;
+      continue;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(landmark.words);
+    const double away = (Vec3(skirt.vertices_mm.row(stations[i])) - *landmark.place_mm).norm();
+    if (away > kLandmarkReach_mm + skirt.spacing_mm)
+      problems.add(ErrorCode::OutOfRange, std::string("/landmarks/") + landmark.key,
+                   "lies " + significant(away, 3) + " mm from the " +
+                       (i == 2 ? "anterior" : "posterior") +
+                       " annulus between the commissures; must lie within 10 mm of it");
+    if (away <= moved_mm) continue;
+    moved_mm = away;
+    furthest = landmark.words;
+  }
+  if (!problems.empty()) return std::move(problems).take();
+  std::vector<ImportDecision> decisions;
+  const bool look = moved_mm > kUsualMove_mm;
+  if (!names.empty())
+    decisions.push_back({"landmarks", names + " as given",
+                         look ? "the " + furthest + " was moved by " + significant(moved_mm, 2) +
+                                    " mm to the annulus; up to " + shown(kUsualMove_mm) +
+                                    " mm is usual"
+                              : "moved to the annulus",
+                         look, look ? 0.5 : 1.0});
+  if (!alone.empty())
+    decisions.push_back({"landmarks", alone + " not used", "the other commissure is not given",
+                         true, 0.5});
+  return decisions;
 }
 
 }  // namespace coapt

@@ -3,6 +3,7 @@
 
 #include "core/valve/contour.h"
 #include "core/valve/problem_list.h"
+#include "core/valve/valve.h"
 #include "io/mesh/skirt.h"
 
 namespace coapt {
@@ -18,8 +19,10 @@ double nearest_arc_mm(const ArcLength& contour, const Vec3& point_mm);
 /// The station in [first, last] whose annulus point is nearest.
 int nearest_station(const Skirt& skirt, const Vec3& point_mm, int first, int last);
 
-/// "saddle peak, mid-posterior"; empty if none was given.
-std::string given_names(const GivenLandmarks& given);
+/// What became of them: `taken`, of the skirt. One that moved by more than 4 mm is looked at; an error at more than 10, as of a saddle
+/// peak behind.
+Expected<std::vector<ImportDecision>> given_decisions(const GivenLandmarks& given,
+                                                      const Skirt& skirt, const Landmarks& taken);
 
 /// `change` of each that was given.
 template <class Change>

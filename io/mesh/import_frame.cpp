@@ -22,6 +22,7 @@ constexpr Eigen::Index kMinAnnulus = 12;
 constexpr std::size_t kMaxChordae = 2000;
 constexpr Range kTipDepthMm = {3.0, 100.0};
 constexpr double kSamePoint_mm = 1e-6;
+constexpr double kFurthestOrigin_mm = 1e4;
 
 std::string at(const std::string& path, std::ptrdiff_t index) {
   return path + '/' + std::to_string(index);
@@ -300,6 +301,11 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, const Frame
   const Points loop = source.annulus_mm(kept, Eigen::all);
   const Expected<Frame> frame = find_frame(loop, source, options);
   if (!frame) return frame.errors();
+  if (const double away_mm = frame->origin_mm.norm(); !(away_mm <= kFurthestOrigin_mm))
+    return Error{ErrorCode::OutOfRange, "/annulus_mm",
+                 "lies " + significant(0.001 * away_mm, 3) +
+                     " m from the origin of the files' coordinates; must lie within 10 m of it, so "
+                     "check the units and the origin"};
   FramedSource framed;
   framed.annulus_mm = frame->into(loop);
   if (source.pressed_annulus_mm.rows() > 0)

@@ -18,6 +18,7 @@
 #include "io/json/parse_json.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_valve.h"
+#include "io/mesh/source_units.h"
 
 namespace coapt {
 namespace {
@@ -54,16 +55,23 @@ struct RowReader {
                  "line " + std::to_string(row.line) + ": " + message);
   }
 
+  /// In the unit of the table, whatever its own column states.
   double coordinate(std::string_view column) const {
-    const auto number = table.number(field(column));
+    const std::optional<double> number = table.number(field(column));
     if (!number) {
       add(ErrorCode::WrongType, column, "must be a number");
     } else if (!(*number >= kCoordinateMm.min && *number <= kCoordinateMm.max)) {
       add(ErrorCode::OutOfRange, column, "is " + shown(*number) + ", must be from -1e5 to 1e5 mm");
     } else {
-      return *number;
+      return *number * in_unit_of_table(columns.find(column)->second);
     }
     return 0.0;
+  }
+
+  double in_unit_of_table(std::size_t column) const {
+    if (column >= table.units.size() || table.units[column] == table.unit) return 1.0;
+    const auto of_table = unit_named(table.unit), of_column = unit_named(table.units[column]);
+    return of_table && of_column ? in_mm(*of_column) / in_mm(*of_table) : 1.0;
   }
 
   /// Index of the field among `names`, 0 and a problem if it is none of them.
@@ -222,13 +230,10 @@ Expected<Points> read_points_csv(std::string_view text) {
   return points;
 }
 
-std::optional<LengthUnit> stated_unit(std::string_view table) {
-  const Expected<CsvTable> read = read_csv(table, {"x"});
-  if (!read) return {};
-  for (const LengthUnit unit :
-       {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch, LengthUnit::Metre})
-    if (read->unit == to_string(unit)) return unit;
-  return {};
+std::optional<LengthUnit> stated_unit(std::string_view table,
+                                      std::initializer_list<std::string_view> columns) {
+  const Expected<CsvTable> read = read_csv(table, columns);
+  return read ? unit_named(read->unit) : std::nullopt;
 }
 
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {

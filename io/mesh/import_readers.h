@@ -8,11 +8,14 @@
 
 namespace coapt {
 
-/// Columns x, y and z by name (csv_table.h), in any order beside others, or three columns without names.
+/// Columns x, y and z by name (csv_table.h), in any order beside others, or three columns without names. Where columns state
+/// different units, all become that of the first, stated_unit().
 Expected<Points> read_points_csv(std::string_view text);
 
-/// The unit that the names of a table's columns state ("x [cm]"); none: they state none of these.
-std::optional<LengthUnit> stated_unit(std::string_view table);
+/// The unit that the names of a table's coordinates state ("x [cm]"), the first of several; none: they state none of these.
+/// @param columns of the table, one of which its line of names has.
+std::optional<LengthUnit> stated_unit(std::string_view table,
+                                      std::initializer_list<std::string_view> columns = {"x"});
 
 /// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);

@@ -110,6 +110,9 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
       options.units ? UnitReading{*options.units, "as given", false, 1.0} : unit_of(source);
   const LengthUnit unit = read.unit;
   if (Errors errors = impossible_size(source, unit); !errors.empty()) return errors;
+  // A unit that the user gives is that of all files.
+  const std::vector<ImportDecision> converted =
+      options.units ? std::vector<ImportDecision>{} : take_part_units(source, unit);
   scale(source, in_mm(unit));
   if (options.mirrored) unmirror(source);
   const Expected<std::vector<ImportDecision>> contour = contour_checks(source.annulus_mm);
@@ -147,12 +150,16 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   if (framed->pressed_annulus_mm.rows() > 0)
     for (auto vertex : valve.annulus_mm.rowwise()) vertex = pressed(*framed, vertex).transpose();
   valve.landmarks = find_landmarks(*skirt, framed->landmarks);
+  const Expected<std::vector<ImportDecision>> seen =
+      given_decisions(framed->landmarks, *skirt, valve.landmarks);
+  if (!seen) return seen.errors();
   std::vector<ImportDecision> decisions =
       state.closed
           ? closed_decisions(*skirt, options.hidden_mm, valve)
           : mesh_decisions(*framed, *skirt, valve, source.tissue.has_value(), options.budget);
   std::vector<ImportDecision> first = {
       {"units", to_string(unit), read.reason, read.look, read.confidence}};
+  first.insert(first.end(), converted.begin(), converted.end());
   if (options.mirrored)
     first.push_back(
         {"frame", "all files mirrored (x reversed)", "they are a mirror image, as given"});
@@ -168,8 +175,7 @@ Expected<ImportedValve> make_valve(ImportSource source, const ImportOptions& opt
   const std::vector<ImportDecision> doubts = valve_checks(*framed, *skirt, valve, state.closed);
   decisions.insert(decisions.end(), doubts.begin(), doubts.end());
   decisions.insert(decisions.end(), stretched.begin(), stretched.end());
-  if (const std::string given = given_names(framed->landmarks); !given.empty())
-    decisions.push_back({"landmarks", given + " as given", "moved to the annulus"});
+  decisions.insert(decisions.end(), seen->begin(), seen->end());
   const Expected<double> thickness_mm =
       tissue_thickness(options, prepared->thickness, valve.tissue.thickness_mm, decisions);
   if (!thickness_mm) return thickness_mm.errors();

@@ -127,6 +127,8 @@ struct ImportSource {
   std::optional<Tissue> tissue;           ///< else thesis table 2.1, by ImportOptions::reference
   std::optional<double> pressure_kpa;     ///< else 16
   std::optional<LengthUnit> unit;         ///< that the files state; none: guessed
+  /// What tables beside the leaflets state of themselves alone; none: as `unit`.
+  std::optional<LengthUnit> chordae_unit = {}, tips_unit = {}, landmarks_unit = {};
 };
 
 struct ImportOptions {

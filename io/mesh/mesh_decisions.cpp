@@ -11,7 +11,20 @@
 namespace coapt {
 namespace {
 
+constexpr double kUsuallyOff_mm = 5.0;  // of given commissures along the annulus; more is looked at
+
+std::string about_commissures(const Skirt& skirt) {
+  if (skirt.commissures_off_mm > kUsuallyOff_mm)
+    return "the commissures lie up to " + with_decimals(skirt.commissures_off_mm, 0) +
+           " mm along the annulus from where the sheets meet; up to " + shown(kUsuallyOff_mm) +
+           " mm is usual";
+  return skirt.commissures_measured || skirt.commissures_given
+             ? ""
+             : "a skirt does not show where the leaflets meet";
+}
+
 ImportDecision landmark_decision(const Skirt& skirt) {
+  const bool look = skirt.commissures_off_mm > kUsuallyOff_mm;
   return {"landmarks",
           std::string("commissures ") +
               (skirt.commissures_given      ? "as given"
@@ -19,9 +32,7 @@ ImportDecision landmark_decision(const Skirt& skirt) {
                                             : "38 % of the annulus apart about its front") +
               ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
               "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
-          skirt.commissures_measured || skirt.commissures_given
-              ? ""
-              : "a skirt does not show where the leaflets meet"};
+          about_commissures(skirt), look, look ? 0.5 : 1.0};
 }
 
 }  // namespace

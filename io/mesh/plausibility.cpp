@@ -19,6 +19,9 @@ namespace {
 constexpr Eigen::Index kMostSamples = 4000;          // of a mesh, for distances
 constexpr double kLongSide = 3.0;                    // times the median, of a contour's sides
 constexpr double kGap_deg = 20.0, kOpen_deg = 60.0;  // that a long side spans: looked at, refused
+// Of a point off the line between its neighbours: share of the loop's radius, and times what is usual in it.
+constexpr double kStrayShare = 0.4, kStrayRatio = 5.0;
+constexpr Eigen::Index kLeastForStray = 8;
 constexpr double kFarRms_mm = 1.0, kFarMax_mm = 5.0;
 constexpr double kBeside_mm = 2.0;        // of sheets from the contour, in the mean
 constexpr Range kAreaRatio = {1.1, 3.0};  // leaflets over annulus; 1.3 to 2.8 in hearts and presets
@@ -30,6 +33,12 @@ constexpr Range kUsualTipDepthMm = {8.0, 60.0};  // 23.5 +- 3.8 from the annulus
 // Tips lie at 0.6 to 1.1 of the way from the middle of the annulus to its rim, seen from the atrium, between 0.05 in front and 0.85 behind
 // (presets, an anatomical heart, remodelled ones).
 constexpr double kTipBeside = 1.5, kTipInFront = 0.4;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 bool is_in(double value, const Range& range) { return value >= range.min && value <= range.max; }
 
@@ -102,6 +111,32 @@ std::optional<ImportDecision> tips_beside(const std::vector<ImportedTip>& tips,
 
 }  // namespace
 
+std::string stray_point(const Points& loop) {
+  const Eigen::Index n = loop.rows();
+  if (n < kLeastForStray || !loop.allFinite()) return "";
+  std::vector<double> off;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::RowVector3d a = loop.row((i + n - 1) % n), along = loop.row((i + 1) % n) - a,
+                             to = loop.row(i) - a;
+    const double share =
+        std::clamp(along.dot(to) / std::max(1e-300, along.squaredNorm()), 0.0, 1.0);
+    off.push_back((to - share * along).norm());
+  }
+  const auto worst = std::max_element(off.begin(), off.end()) - off.begin();
+  const double most = off[static_cast<std::size_t>(worst)], median = median_of(off);
+  const Eigen::RowVector3d middle = loop.colwise().mean();
+  const Eigen::VectorXd from_middle = (loop.rowwise() - middle).rowwise().norm();
+  const double radius = median_of({from_middle.begin(), from_middle.end()});
+  if (most <= kStrayShare * radius || most <= kStrayRatio * median) return "";
+  const auto number = [](Eigen::Index i) { return std::to_string(i + 1); };
+  const auto at = loop.row(worst);
+  return "has a stray point: point " + number(worst) + ", (" + significant(at.x(), 4) + ", " +
+         significant(at.y(), 4) + ", " + significant(at.z(), 4) + "), lies " +
+         significant(most, 3) + " off the line from point " + number((worst + n - 1) % n) +
+         " to point " + number((worst + 1) % n) + ", where half of all points lie within " +
+         significant(median, 2) + "; must follow the annulus";
+}
+
 Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
   if (annulus_mm.rows() < 6 || !annulus_mm.allFinite()) return std::vector<ImportDecision>{};
   const Vec3 centre = arc_centroid(annulus_mm);
@@ -124,8 +159,7 @@ Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
     gap_deg = std::abs(turn) * 180.0 / std::numbers::pi;
   }
   if (sides.empty()) return std::vector<ImportDecision>{};
-  std::nth_element(sides.begin(), sides.begin() + std::ssize(sides) / 2, sides.end());
-  const double median = sides[sides.size() / 2];
+  const double median = median_of(sides);
   if (std::abs(turned) > 3.0 * std::numbers::pi)
     return Error{ErrorCode::BadGeometry, "/annulus_mm",
                  "encircles its centre " +

@@ -8,6 +8,10 @@
 
 namespace coapt {
 
+/// What is wrong with a contour of which one point lies far from the line between its neighbours; empty if none does.
+/// @param loop closed, n x 3, as given, in any unit
+std::string stray_point(const Points& loop);
+
 /// A contour that was traced over a part of the annulus, or twice round: errors at "/annulus_mm"; one with a gap that may be none:
 /// to be looked at. @param annulus_mm as given, lengths in millimetres
 Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm);

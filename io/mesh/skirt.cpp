@@ -108,6 +108,7 @@ Profile closed_profile(const FramedSource& source, const SurfaceTree& opposite, 
 struct Commissures {
   double medial_mm = 0.0, lateral_mm = 0.0;
   bool measured = false, given = false;
+  double off_mm = 0.0;  ///< of given ones from measured ones
 };
 
 /// Walks from the front of the annulus to the first cut that begins with the posterior sheet; the
@@ -134,14 +135,33 @@ Commissures given_commissures(const FramedSource& source, const ArcLength& arc) 
   return {medial, lateral + (lateral < medial ? arc.total_mm() : 0.0), false, true};
 }
 
+/// Where two sheets meet.
+std::optional<Commissures> measured_commissures(const FramedSource& source, const ArcLength& arc,
+                                                const ClosureBudget& budget) {
+  const double total = arc.total_mm();
+  const std::optional<double> medial = find_commissure(source, arc, -total / kScan, budget);
+  const std::optional<double> lateral = find_commissure(source, arc, total / kScan, budget);
+  if (!medial || !lateral) return std::nullopt;
+  const Commissures found{*medial + total, *lateral + total, true, false};
+  const double anterior = found.lateral_mm - found.medial_mm;
+  if (!(anterior > 0.1 * total && anterior < 0.9 * total)) return std::nullopt;
+  return found;
+}
+
 Expected<Commissures> find_commissures(const FramedSource& source, const ArcLength& arc,
                                        const ClosureBudget& budget) {
   const double total = arc.total_mm(), front = arc.crossing_mm(true);
   const GivenLandmarks& seen = source.landmarks;
   if (seen.posteromedial_commissure_mm && seen.anterolateral_commissure_mm) {
-    const Commissures given = given_commissures(source, arc);
+    Commissures given = given_commissures(source, arc);
     const double share = (given.lateral_mm - given.medial_mm) / total;
-    if (share > 0.1 && share < 0.9) return given;
+    if (share > 0.1 && share < 0.9) {
+      if (source.leaflets.size() == 1) return given;
+      if (const auto measured = measured_commissures(source, arc, budget))
+        given.off_mm = std::max(std::abs(std::remainder(given.medial_mm - measured->medial_mm, total)),
+                                std::abs(std::remainder(given.lateral_mm - measured->lateral_mm, total)));
+      return given;
+    }
     return Error{ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
                  "is " + shown(std::round(100.0 * share)) +
                      " % of the annulus, over its front, from the posteromedial one; must be 10 to "
@@ -151,13 +171,7 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
     const double half = 0.5 * kAnteriorArc * total;
     return Commissures{front - half, front + half};
   }
-  const std::optional<double> medial = find_commissure(source, arc, -total / kScan, budget);
-  const std::optional<double> lateral = find_commissure(source, arc, total / kScan, budget);
-  if (medial && lateral) {
-    const Commissures found{*medial + total, *lateral + total, true, false};
-    const double anterior = found.lateral_mm - found.medial_mm;
-    if (anterior > 0.1 * total && anterior < 0.9 * total) return found;
-  }
+  if (const auto measured = measured_commissures(source, arc, budget)) return *measured;
   return Error{ErrorCode::BadGeometry, "/leaflets",
                "must meet at two commissures, with the anterior sheet in front, the posterior "
                "sheet behind, and both beginning within 3 mm of the annulus"};
@@ -242,6 +256,7 @@ Expected<Skirt> resample_skirt(const FramedSource& source, const SkirtSize& size
   skirt.spacing_mm = arc.total_mm() / skirt.stations;
   skirt.commissures_measured = commissures->measured;
   skirt.commissures_given = commissures->given;
+  skirt.commissures_off_mm = commissures->off_mm;
   const double anterior = commissures->lateral_mm - commissures->medial_mm;
   skirt.lateral_commissure = static_cast<int>(std::lround(anterior / skirt.spacing_mm));
   const auto arc_at = [&](double station) {

@@ -1,7 +1,9 @@
 #include "io/mesh/source_units.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
@@ -16,6 +18,7 @@ constexpr double kMixed = 4.0;  // leaflets and tips lie within one diameter of 
 constexpr double kLongestInMetres = 0.5, kLongestInCentimetres = 20.0;
 constexpr Range kUsualExtentMm = {30.0, 110.0};  // of the leaflets' box
 constexpr Range kPossibleExtentMm = {10.0, 350.0};
+constexpr Range kAlike = {0.5, 2.0};  // leaflets' over annulus's extent; 1.0 to 1.2 in presets
 constexpr std::array kUnits = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch,
                                LengthUnit::Metre};
 
@@ -52,6 +55,21 @@ double in_mm(LengthUnit unit) {
       return 1000.0;
   }
   return 1.0;
+}
+
+std::optional<LengthUnit> unit_named(std::string_view name) {
+  constexpr std::array<std::array<std::string_view, 3>, 4> kWords = {
+      {{"mm", "millimetre", "millimeter"},
+       {"cm", "centimetre", "centimeter"},
+       {"in", "inch", "inche"},
+       {"m", "metre", "meter"}}};
+  std::string plain;
+  for (const unsigned char letter : name) plain += static_cast<char>(std::tolower(letter));
+  const std::string_view one =
+      std::string_view(plain).substr(0, plain.size() - (plain.ends_with('s') ? 1 : 0));
+  for (std::size_t i = 0; i < kWords.size(); ++i)
+    if (std::find(kWords[i].begin(), kWords[i].end(), one) != kWords[i].end()) return kUnits[i];
+  return {};
 }
 
 namespace {
@@ -131,27 +149,33 @@ Errors impossible_size(const ImportSource& source, LengthUnit unit) {
 
 namespace {
 
+void stretch(Vec3& point, const Vec3& factors) { point = factors.cwiseProduct(point); }
+
+void stretch(GivenLandmarks& landmarks, const Vec3& factors) {
+  for_each_given(landmarks, [&](const Vec3& place) { return Vec3(factors.cwiseProduct(place)); });
+}
+
+void stretch(ImportedChorda& chorda, const Vec3& factors) {
+  stretch(chorda.insertion_mm, factors);
+  stretch(chorda.tip_mm, factors);
+  if (chorda.pressed_tip_mm) stretch(*chorda.pressed_tip_mm, factors);
+  for (ImportedSegment& segment : chorda.segments) stretch(segment.end_mm, factors);
+}
+
 /// Every coordinate, axis by axis.
 void stretch(ImportSource& source, const Vec3& factors) {
   const auto points = [&](Points& of) { of *= factors.asDiagonal(); };
-  const auto point = [&](Vec3& of) { of = factors.cwiseProduct(of); };
   for (TriangleMesh& mesh : source.leaflets) points(mesh.vertices_mm);
   points(source.annulus_mm);
   points(source.pressed_annulus_mm);
-  for (ImportedTip& tip : source.tips) point(tip.position_mm);
-  for (ImportedTip& place : source.sided) point(place.position_mm);
+  for (ImportedTip& tip : source.tips) stretch(tip.position_mm, factors);
+  for (ImportedTip& place : source.sided) stretch(place.position_mm, factors);
   for (ImportedTie& tie : source.ties) {
-    point(tie.anterior_mm);
-    point(tie.posterior_mm);
+    stretch(tie.anterior_mm, factors);
+    stretch(tie.posterior_mm, factors);
   }
-  for_each_given(source.landmarks,
-                 [&](const Vec3& place) { return Vec3(factors.cwiseProduct(place)); });
-  for (ImportedChorda& chorda : source.chordae) {
-    point(chorda.insertion_mm);
-    point(chorda.tip_mm);
-    if (chorda.pressed_tip_mm) point(*chorda.pressed_tip_mm);
-    for (ImportedSegment& segment : chorda.segments) point(segment.end_mm);
-  }
+  stretch(source.landmarks, factors);
+  for (ImportedChorda& chorda : source.chordae) stretch(chorda, factors);
 }
 
 }  // namespace
@@ -161,6 +185,43 @@ void scale(ImportSource& source, double factor) {
   for (ImportedChorda& chorda : source.chordae)
     for (ImportedSegment& segment : chorda.segments)
       if (segment.rest_length_mm) *segment.rest_length_mm *= factor;
+}
+
+void take_metres(ImportSource& source) {
+  const double annulus = source.annulus_mm.rows() > 0 ? extent(source.annulus_mm) : 0.0;
+  if (source.leaflets.empty() || !(annulus > 0.0)) return;
+  const UnitReading read = unit_of(source);
+  const double factor = in_mm(LengthUnit::Metre) / in_mm(read.unit);
+  const double ratio = factor * leaflets_extent(source) / annulus;
+  if (read.unit == LengthUnit::Metre || !(ratio >= kAlike.min && ratio <= kAlike.max)) return;
+  for (TriangleMesh& mesh : source.leaflets) mesh.vertices_mm *= factor;
+  for (ImportedTip& place : source.sided) place.position_mm *= factor;
+  source.decisions.push_back(
+      {"units", std::string("leaflets m, converted to ") + to_string(read.unit),
+       "glTF is in metres by its specification, and only so are the leaflets as large as the "
+       "annulus"});
+}
+
+std::vector<ImportDecision> take_part_units(ImportSource& source, LengthUnit unit) {
+  std::vector<ImportDecision> decisions;
+  const auto take = [&](const char* part, const std::optional<LengthUnit>& stated,
+                        const auto& stretch_part) {
+    if (!stated || *stated == unit) return;
+    stretch_part(Vec3::Constant(in_mm(*stated) / in_mm(unit)));
+    decisions.push_back({"units",
+                         std::string(part) + ' ' + to_string(*stated) + ", converted to " +
+                             to_string(unit),
+                         "stated by the names of the columns"});
+  };
+  take("chordae", source.chordae_unit, [&](const Vec3& factors) {
+    for (ImportedChorda& chorda : source.chordae) stretch(chorda, factors);
+  });
+  take("papillary tips", source.tips_unit, [&](const Vec3& factors) {
+    for (ImportedTip& tip : source.tips) stretch(tip.position_mm, factors);
+  });
+  take("landmarks", source.landmarks_unit,
+       [&](const Vec3& factors) { stretch(source.landmarks, factors); });
+  return decisions;
 }
 
 void unmirror(ImportSource& source) {

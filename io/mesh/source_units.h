@@ -9,6 +9,9 @@ namespace coapt {
 /// How many millimetres a unit has.
 double in_mm(LengthUnit unit);
 
+/// "mm", "Centimetres", "inch", "m", in either spelling and any case.
+std::optional<LengthUnit> unit_named(std::string_view name);
+
 inline constexpr Range kCircumferenceMm = {30.0, 400.0};  // of the annulus
 bool is_circumference_mm(double length);                  ///< within
 
@@ -29,6 +32,13 @@ UnitReading unit_of(const ImportSource& source);
 /// Of an annulus whose file states its unit: that of all files if the leaflets agree in size, else the annulus alone becomes
 /// millimetres.
 void take_annulus_unit(ImportSource& source, LengthUnit unit);
+
+/// glTF is in metres by its specification, which not all programs heed: leaflets from it that only so are as large as the annulus
+/// beside them become of the annulus's unit, which is said.
+void take_metres(ImportSource& source);
+
+/// Chordae, tips and landmarks whose tables state another unit than `unit` become of it; one decision for each.
+std::vector<ImportDecision> take_part_units(ImportSource& source, LengthUnit unit);
 
 /// Leaflets without an annulus whose size no heart has: an error at "/leaflets".
 Errors impossible_size(const ImportSource& source, LengthUnit unit);

@@ -96,9 +96,12 @@ Gate undersizing(const SurgicalOperation& operation) {
   Gate rule = gate("undersizing");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
     const double sizes = ring_sizes_below(operation.valve, operation.repaired);
-    const std::string figure = "the " + shape_of(ring) + " ring is " + with_decimals(sizes, 1) +
-                               " sizes below the true size of " +
-                               mm(true_ring_size_mm(operation.valve)) + " (by area); ";
+    constexpr double kLeast = 0.05;  // sizes that are printed
+    const std::string true_size = mm(true_ring_size_mm(operation.valve)) + " (by area); ";
+    const std::string figure =
+        "the " + shape_of(ring) + " ring is " +
+        (sizes < kLeast ? "of the true size or larger, which is " + true_size
+                        : with_decimals(sizes, 1) + " sizes below the true size of " + true_size);
     if (sizes > kMostSizesBelow + kGateRounding)
       tell(rule, GateSeverity::Reject,
            figure + "more than " + shown(kMostSizesBelow) + " are not used in practice");

@@ -13,11 +13,12 @@ namespace {
 
 const char* const kNotKnown = "not known";
 
-/// Mean + sd over the region, or as planned where that was not closed.
+/// Mean + sd over the region, and not less than as planned, which is all where that was not closed.
 std::string leak_words(const RankedPlan& plan) {
   const LeakStatistics& leak = plan.region.leak_mm2;
   const bool varied = plan.region.closures > 1 && std::isfinite(leak.mean);
-  const double left = varied ? leak.mean + leak.sd : plan.measure.leak.area_mm2;
+  const double planned = plan.measure.leak.area_mm2;
+  const double left = varied ? std::max(leak.mean + leak.sd, planned) : planned;
   if (!std::isfinite(left)) return kNotKnown;
   const std::string words = left < kTraceLeak_mm2  ? "none or trace"
                             : left < kMildLeak_mm2 ? "mild"

@@ -28,11 +28,14 @@ constexpr double kAnchorPlaceStep = 0.025;     // 2 to 3 mm of the annulus
 constexpr double kFirstAnchorPlace = 0.15;     // about the trigone
 constexpr Range kShortenings_mm = {1.0, 6.0};
 // Bases of wedges are 10 to 15 mm as a rule, clips 4 to 6 mm wide.
-constexpr Range kTriangularWidths_mm = {6.0, 16.0}, kQuadrangularWidths_mm = {8.0, 20.0},
-                kClipWidths_mm = {4.0, 10.0}, kCommissuralWidths_mm = {4.0, 12.0},
-                kCleftWidths_mm = {4.0, 14.0};
+struct LeafletWidths {
+  Range range_mm;
+  double first_mm;
+};
+constexpr LeafletWidths kTriangular = {{6.0, 16.0}, 12.0}, kQuadrangular = {{8.0, 20.0}, 12.0},
+                        kClip = {{4.0, 10.0}, 6.0}, kCommissural = {{4.0, 12.0}, 8.0};
+constexpr Range kCleftWidths_mm = {4.0, 14.0};
 constexpr double kLeafletWidthStep_mm = 2.0;
-constexpr double kFirstResection_mm = 12.0, kFirstClip_mm = 6.0, kFirstCommissural_mm = 8.0;
 constexpr double kDegenerativeRing =
     0.75;                      // AP over transverse; shorter rings are made for tethered leaflets
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
@@ -49,6 +52,27 @@ int step_count(const Choice& choice) {
 
 bool is_resection(LeafletChoice leaflet) {
   return leaflet == LeafletChoice::Triangular || leaflet == LeafletChoice::Quadrangular;
+}
+
+/// Mends some lesions itself and leaves others to neochordae; a clip does for all.
+bool mends_its_own(LeafletChoice leaflet) {
+  return is_resection(leaflet) || leaflet == LeafletChoice::CommissuralClosure;
+}
+
+std::optional<LeafletWidths> widths_of(LeafletChoice leaflet) {
+  switch (leaflet) {
+    case LeafletChoice::None:
+      return std::nullopt;
+    case LeafletChoice::Triangular:
+      return kTriangular;
+    case LeafletChoice::Quadrangular:
+      return kQuadrangular;
+    case LeafletChoice::Clip:
+      return kClip;
+    case LeafletChoice::CommissuralClosure:
+      return kCommissural;
+  }
+  return std::nullopt;
 }
 
 /// Commissures of which both scallops prolapse.
@@ -365,8 +389,7 @@ bool PlanSpace::mends_rightly(const Choice& choice, bool all) const {
   const bool others = !held_by_neochordae(choice.leaflet).empty();
   if (choice.neochordae > 0 && !others) return false;
   if (!all) return true;
-  if (is_resection(choice.leaflet) || choice.leaflet == LeafletChoice::CommissuralClosure)
-    return !others || choice.neochordae > 0;
+  if (mends_its_own(choice.leaflet)) return !others || choice.neochordae > 0;
   return choice.neochordae > 0 || choice.leaflet != LeafletChoice::None ||
          choice.chordal != ChordalChoice::None;
 }
@@ -376,12 +399,11 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
     case LeafletChoice::None:
       return;
     case LeafletChoice::Triangular:
-      plan.steps.emplace_back(LeafletResection{
-          .along = within(kResectionAlong, posterior_lesion()->middle), .width_mm = width_mm});
-      return;
     case LeafletChoice::Quadrangular:
       plan.steps.emplace_back(
-          LeafletResection{.shape = ResectionShape::Quadrangular,
+          LeafletResection{.shape = leaflet == LeafletChoice::Triangular
+                                        ? ResectionShape::Triangular
+                                        : ResectionShape::Quadrangular,
                            .along = within(kResectionAlong, posterior_lesion()->middle),
                            .width_mm = width_mm});
       return;
@@ -434,26 +456,9 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
   }
   if (choice.chordal == ChordalChoice::Shorten)
     parameters.push_back(make_parameter(ParameterOf::Shortening, 0, kShortenings_mm, 1.0, 2.0));
-  switch (choice.leaflet) {
-    case LeafletChoice::None:
-      break;
-    case LeafletChoice::Triangular:
-      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kTriangularWidths_mm,
-                                          kLeafletWidthStep_mm, kFirstResection_mm));
-      break;
-    case LeafletChoice::Quadrangular:
-      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kQuadrangularWidths_mm,
-                                          kLeafletWidthStep_mm, kFirstResection_mm));
-      break;
-    case LeafletChoice::Clip:
-      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kClipWidths_mm,
-                                          kLeafletWidthStep_mm, kFirstClip_mm));
-      break;
-    case LeafletChoice::CommissuralClosure:
-      parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, kCommissuralWidths_mm,
-                                          kLeafletWidthStep_mm, kFirstCommissural_mm));
-      break;
-  }
+  if (const std::optional<LeafletWidths> widths = widths_of(choice.leaflet))
+    parameters.push_back(make_parameter(ParameterOf::LeafletWidth, 0, widths->range_mm,
+                                        kLeafletWidthStep_mm, widths->first_mm));
   if (choice.clefts) {
     double deepest_mm = 0.0;
     for (const Cleft& cleft : diagnosis_->clefts) deepest_mm = std::max(deepest_mm, cleft.depth_mm);

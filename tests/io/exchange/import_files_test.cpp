@@ -162,7 +162,7 @@ TEST(ImportFiles, SeveralLabelsMakeALeafletByNameOrAsGiven) {
                     "Segment1_LabelValue:=2\nSegment2_Name:=P2\nSegment2_LabelValue:=4\n")};
   const Expected<ImportSource> named = read_import_files(files);
   ASSERT_TRUE(named) << named.errors()[0].message;
-  EXPECT_EQ(named->order.called[1], "labels 2 and 4");
+  EXPECT_EQ(named->order.called[1], "the union of labels 2 and 4");
   files.labels = {"x.nrrd", scallops_nrrd("")};
   const Expected<ImportSource> unnamed = read_import_files(files);
   ASSERT_FALSE(unnamed) << "three that could be leaflets";
@@ -183,7 +183,7 @@ TEST(ImportFiles, ACommissureOfItsOwnIsOfThePosteriorLeafletAndItsNameTellsTheSi
                     "Segment2_LabelValue:=4\n")};
   const Expected<ImportSource> source = read_import_files(files);
   ASSERT_TRUE(source) << source.errors()[0].message;
-  EXPECT_EQ(source->order.called[1], "labels 2 and 4");
+  EXPECT_EQ(source->order.called[1], "the union of labels 2 and 4");
   ASSERT_EQ(source->sided.size(), 1U);
   EXPECT_EQ(source->sided[0].side, Side::Anterolateral);
   EXPECT_NEAR(source->sided[0].position_mm.x(), 5.0 + 12.5, 0.51) << "the middle of its box";

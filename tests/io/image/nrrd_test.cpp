@@ -42,6 +42,21 @@ TEST(Nrrd, ShearedDirectionsAreDoubted) {
       << map->frame_doubt;
 }
 
+TEST(Nrrd, UnitsOfAFileThatAreNotMillimetresAreConverted) {
+  const std::string bytes = kHead + "encoding: ascii\n\n0 1\n2 3\n";
+  const auto in = [&](const std::string& units) {
+    return read_nrrd(with(bytes, "encoding", "space units: " + units + "\nencoding"));
+  };
+  EXPECT_TRUE(in("\"cm\" \"mm\" \"\"")->centre_mm(1, 1, 1).isApprox(Vec3(15.0, 2.6, 3.7)));
+  ASSERT_FALSE(in("\"mm\" \"mm\" \"pixel\""));
+  EXPECT_EQ(in("\"mm\" \"mm\" \"pixel\"").errors()[0].path, "/space units");
+  const Expected<LabelMap> phases = read_nrrd(
+      "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 1 2 1 1\nkinds: time domain domain domain\n"
+      "spacings: 20 0.5 0.6 0.7\nunits: \"ms\" \"cm\" \"cm\" \"cm\"\nencoding: ascii\n\n0 1\n");
+  ASSERT_TRUE(phases) << phases.errors()[0].message;
+  EXPECT_TRUE(phases->centre_mm(1, 0, 0).isApprox(Vec3(5.0, 0.0, 0.0)));
+}
+
 TEST(Nrrd, OtherSpacesAreTurnedToLps) {
   const std::string bytes = kHead + "encoding: ascii\n\n0 1\n2 3\n";
   const auto corner = [&](const std::string& space) {

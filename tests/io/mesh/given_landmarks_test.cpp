@@ -84,6 +84,54 @@ TEST(GivenLandmarks, FarFromTheAnnulusAreRefused) {
   EXPECT_EQ(done.errors()[1].path, "/landmarks/mid_posterior_mm");
 }
 
+ImportDecision told_of(const GivenLandmarks& landmarks, const std::string& about) {
+  ImportSource source = cone_source_with_gaps();
+  source.landmarks = landmarks;
+  const Expected<ImportedValve> done = import_with_decisions(source, {});
+  if (!done) return {"refused", done.errors()[0].path, done.errors()[0].message, true};
+  for (const ImportDecision& told : done->decisions)
+    if (told.subject == "landmarks" && told.value.find(about) != std::string::npos) return told;
+  return {};
+}
+
+TEST(GivenLandmarks, ThatAreDoubtfulAreLookedAt) {
+  GivenLandmarks near = {.anterolateral_commissure_mm = on_cone(178, 0),
+                         .posteromedial_commissure_mm = on_cone(1, 0),
+                         .saddle_peak_mm = on_cone(92, 0)};
+  EXPECT_FALSE(told_of(near, "as given").look);
+  EXPECT_FALSE(told_of(near, "commissures").look);
+  near.anterolateral_commissure_mm = on_cone(150, 0);
+  const ImportDecision off = told_of(near, "commissures");
+  EXPECT_TRUE(off.look);
+  EXPECT_NE(off.reason.find("10 mm along the annulus from where the sheets meet"),
+            std::string::npos)
+      << off.reason;
+  const ImportDecision moved = told_of({.saddle_peak_mm = on_cone(90, 0.4)}, "saddle peak as given");
+  EXPECT_TRUE(moved.look);
+  EXPECT_NE(moved.reason.find("the saddle peak was moved by"), std::string::npos) << moved.reason;
+  const ImportDecision alone =
+      told_of({.posteromedial_commissure_mm = on_cone(0, 0)}, "posteromedial commissure");
+  EXPECT_EQ(alone.value, "posteromedial commissure not used");
+  EXPECT_TRUE(alone.look);
+}
+
+TEST(GivenLandmarks, CommissuresWhoseSidesAreExchangedAreRefused) {
+  const ImportDecision swapped =
+      told_of({.anterolateral_commissure_mm = on_cone(0, 0),
+               .posteromedial_commissure_mm = on_cone(180, 0)}, "");
+  EXPECT_EQ(swapped.value, "/landmarks/anterolateral_commissure_mm");
+  EXPECT_TRUE(swapped.reason.starts_with("lies on the posteromedial side")) << swapped.reason;
+}
+
+TEST(GivenLandmarks, ASaddlePeakBehindIsRefused) {
+  const ImportDecision behind = told_of({.saddle_peak_mm = on_cone(-90, 0)}, "");
+  EXPECT_EQ(behind.subject, "refused");
+  EXPECT_EQ(behind.value, "/landmarks/saddle_peak_mm");
+  EXPECT_NE(behind.reason.find("from the anterior annulus between the commissures"),
+            std::string::npos)
+      << behind.reason;
+}
+
 TEST(GivenLandmarks, CommissuresThatLeaveALeafletNoRoomAreRefused) {
   ImportSource source = cone_source();
   source.landmarks.posteromedial_commissure_mm = on_cone(80, 0);

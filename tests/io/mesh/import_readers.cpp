@@ -143,9 +143,29 @@ TEST(ImportReaders, NamesOfAxesStateTheUnit) {
         {"id;X (mm);Y (mm);Z (mm)", LengthUnit::Millimetre},
         {"x_m,y_m,z_m", LengthUnit::Metre},
         {"x (in),y,z", LengthUnit::Inch},
+        {"x [inch],y [inch],z [inch]", LengthUnit::Inch},
+        {"X [Millimetres],Y [Millimetres],Z [Millimetres]", LengthUnit::Millimetre},
         {"x,y,z,time_m", std::nullopt},
         {"x (LPS),y,z", std::nullopt}})
     EXPECT_EQ(stated_unit(names + std::string("\n1,2,3\n")), unit) << names;
+}
+
+TEST(ImportReaders, ColumnsOfDifferentUnitsBecomeThatOfTheFirst) {
+  for (const char* table : {"x [mm],y [mm],z [cm]\n10,20,3\n", "x,y,z\nmm,mm,cm\n10,20,3\n",
+                            "z_cm,x_mm,y_mm\n3,10,20\n"}) {
+    const double unit = table[0] == 'z' ? 0.1 : 1.0;
+    const Expected<Points> points = read_points_csv(table);
+    ASSERT_TRUE(points) << table << points.errors()[0].message;
+    EXPECT_TRUE(points->row(0).isApprox(unit * Eigen::RowVector3d(10, 20, 30))) << table;
+  }
+  const std::string chordae =
+      "id,papillary,ins_x [cm],ins_y [cm],ins_z [cm],tip_x [mm],tip_y [mm],tip_z [mm]\n"
+      "1,AL,1,2,3,40,50,60\n";
+  EXPECT_EQ(stated_unit(chordae, {"papillary"}), LengthUnit::Centimetre);
+  const auto read = read_chordae(chordae, "csv");
+  ASSERT_TRUE(read) << read.errors()[0].message;
+  EXPECT_EQ((*read)[0].insertion_mm, Vec3(1, 2, 3));
+  EXPECT_TRUE((*read)[0].tip_mm.isApprox(Vec3(4, 5, 6)));
 }
 
 TEST(ImportReaders, TextInSixteenBitsIsNamed) {

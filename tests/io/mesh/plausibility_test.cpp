@@ -48,6 +48,16 @@ TEST(Plausibility, AGapBetweenFewPointsIsOneToo) {
   EXPECT_TRUE(contour_checks(arc(360.0, 8))->empty());
 }
 
+TEST(Plausibility, AStrayPointOfAContourIsNamed) {
+  for (const int points : {12, 60, 720}) {
+    Points loop = 0.1 * arc(360.0, points);
+    EXPECT_EQ(stray_point(loop), "") << points;
+    loop.row(4) += Eigen::RowVector3d(0.5, 1.0, 1.0);
+    EXPECT_TRUE(stray_point(loop).starts_with("has a stray point: point 5, (")) << points;
+  }
+  EXPECT_EQ(stray_point(arc(250.0, 60)), "") << "a gap is none";
+}
+
 TEST(Plausibility, AContourTwiceRoundIsRefused) {
   const auto checked = contour_checks(arc(720.0, 120));
   ASSERT_FALSE(checked);

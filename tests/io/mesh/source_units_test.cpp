@@ -137,5 +137,38 @@ TEST(SourceUnits, AnAnnulusThatStatesItsUnitIsOfTheFilesOrBroughtToMillimetres) 
   EXPECT_TRUE(labels.annulus_mm.isApprox(annulus, 1e-12));
 }
 
+TEST(SourceUnits, TablesOfAnotherUnitBecomeThatOfTheLeaflets) {
+  const ImportSource reference = cone_source();
+  ImportSource source = reference;
+  for (ImportedChorda& chorda : source.chordae) {
+    chorda.insertion_mm *= 0.1;
+    chorda.tip_mm *= 0.1;
+  }
+  source.chordae_unit = LengthUnit::Centimetre;
+  source.tips_unit = LengthUnit::Millimetre;
+  const auto told = take_part_units(source, LengthUnit::Millimetre);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(sentence(told[0]),
+            "units: chordae cm, converted to mm; stated by the names of the columns");
+  EXPECT_TRUE(source.chordae[0].tip_mm.isApprox(reference.chordae[0].tip_mm));
+  EXPECT_TRUE(source.chordae[0].insertion_mm.isApprox(reference.chordae[0].insertion_mm));
+}
+
+TEST(SourceUnits, LeafletsThatAreAsLargeAsTheAnnulusOnlyInMetresAreInMetres) {
+  const ImportSource reference = cone_source();
+  ImportSource source = reference;
+  source.leaflets[0].vertices_mm *= 0.001;
+  take_metres(source);
+  EXPECT_TRUE(source.leaflets[0].vertices_mm.isApprox(reference.leaflets[0].vertices_mm));
+  EXPECT_EQ(source.decisions.size(), 1U);
+  for (const double factor : {1.0, 0.1}) {
+    ImportSource other = reference;
+    other.leaflets[0].vertices_mm *= factor;
+    take_metres(other);
+    EXPECT_TRUE(other.leaflets[0].vertices_mm.isApprox(factor * reference.leaflets[0].vertices_mm));
+    EXPECT_TRUE(other.decisions.empty());
+  }
+}
+
 }  // namespace
 }  // namespace coapt
