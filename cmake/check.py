@@ -157,11 +157,15 @@ def of_service(files, rooms):
     """Whether no program but the service is made of `files` in `rooms`: those of the server, Python's client, which runs it, and the
     page's source and its tests."""
     served = {room for room in rooms if f"{room}/".startswith("server/")}
-    return bool(served) and rooms <= served | {"clients/python"} and all(
-        name.startswith(("server/", "tests/server/", "clients/web/", "docs/"))
-        and not name.startswith(BUILD)
-        or name.endswith(".md")
-        for name in files
+    return (
+        bool(served)
+        and rooms <= served | {"clients/python"}
+        and all(
+            name.startswith(("server/", "tests/server/", "clients/web/", "docs/"))
+            and not name.startswith(BUILD)
+            or name.endswith(".md")
+            for name in files
+        )
     )
 
 
