@@ -278,6 +278,7 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
       error.path.clear();
     }
     if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "/label");
+    if (error.path == "/leaflets") error.path = "/leaflet";
     if (of_file || source != "valve import")
       report_errors(source, {error});
     else

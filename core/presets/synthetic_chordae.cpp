@@ -164,9 +164,10 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
   const Points& at_mm = tips_mm.rows() > 0 ? tips_mm : drawn_mm;
   if (Errors errors = check_tips(at_mm); !errors.empty()) {
     if (tips_mm.rows() > 0) return errors;
-    return Error{ErrorCode::OutOfRange, "/annulus_mm",
-                 "is of a size for which no papillary tips can be synthesised: the depth of a tip " +
-                     errors[0].message};
+    return Error{
+        ErrorCode::OutOfRange, "/annulus_mm",
+        "is of a size for which no papillary tips can be synthesised: the depth of a tip " +
+            errors[0].message};
   }
   const LeafletCoordinates coordinates = leaflet_coordinates(valve);
   const auto located = [&](const ChordaSite& site) {

@@ -356,9 +356,8 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
                  "is missing: --series applies only to a label map");
   if (files.annulus) take_annulus(*files.annulus, axes, source, problems);
   if (files.annulus && problems.empty() &&
-      std::any_of(files.leaflets.begin(), files.leaflets.end(), [](const NamedFile& file) {
-        return is_gltf_format(format_of(file.name));
-      }))
+      std::any_of(files.leaflets.begin(), files.leaflets.end(),
+                  [](const NamedFile& file) { return is_gltf_format(format_of(file.name)); }))
     take_metres(source);
   take_others(files, axes, source, problems);
   if (!problems.empty()) return std::move(problems).take();

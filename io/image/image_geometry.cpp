@@ -52,7 +52,7 @@ void check_voxel_steps(const Eigen::Matrix4d& to_lps_mm, const std::string& path
   if (!(volume >= kLeastVolume * edge.prod()))
     problems.add(ErrorCode::BadGeometry, path, "must lead in three different directions");
   if (!to_lps_mm.allFinite() || to_lps_mm.col(3).cwiseAbs().maxCoeff() > kFarMm)
-    problems.add(ErrorCode::OutOfRange, path, "and its origin must lie within 1e5 mm");
+    problems.add(ErrorCode::OutOfRange, path, "must come with an origin within 1e5 mm");
 }
 
 std::optional<double> off_a_right_angle_deg(const Eigen::Matrix3d& steps_mm) {

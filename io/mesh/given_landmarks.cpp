@@ -8,7 +8,7 @@ namespace coapt {
 namespace {
 
 constexpr double kUsualMove_mm = 4.0;  // more is looked at
-constexpr int kArcs = 1440;  // looked at along the annulus, a tenth of a millimetre apart
+constexpr int kArcs = 1440;            // looked at along the annulus, a tenth of a millimetre apart
 
 struct NamedLandmark {
   const char *key, *words;
@@ -108,8 +108,8 @@ Expected<std::vector<ImportDecision>> given_decisions(const GivenLandmarks& give
                               : "moved to the annulus",
                          look, look ? 0.5 : 1.0});
   if (!alone.empty())
-    decisions.push_back({"landmarks", alone + " not used", "the other commissure is not given",
-                         true, 0.5});
+    decisions.push_back(
+        {"landmarks", alone + " not used", "the other commissure is not given", true, 0.5});
   return decisions;
 }
 

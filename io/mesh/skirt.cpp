@@ -158,8 +158,9 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
     if (share > 0.1 && share < 0.9) {
       if (source.leaflets.size() == 1) return given;
       if (const auto measured = measured_commissures(source, arc, budget))
-        given.off_mm = std::max(std::abs(std::remainder(given.medial_mm - measured->medial_mm, total)),
-                                std::abs(std::remainder(given.lateral_mm - measured->lateral_mm, total)));
+        given.off_mm =
+            std::max(std::abs(std::remainder(given.medial_mm - measured->medial_mm, total)),
+                     std::abs(std::remainder(given.lateral_mm - measured->lateral_mm, total)));
       return given;
     }
     return Error{ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",

@@ -19,7 +19,8 @@ struct Skirt {
   double hat_mm = 0.0;                ///< half the width of the smoothing along the annulus
   bool commissures_measured = false;  ///< where the two sheets meet; else by share of the annulus
   bool commissures_given = false;     ///< both
-  double commissures_off_mm = 0.0;  ///< of those given from where the sheets meet, along the annulus, the larger of both
+  double commissures_off_mm =
+      0.0;  ///< of those given from where the sheets meet, along the annulus, the larger of both
   /// Of leaflets imaged closed, at their middles: exposed lengths.
   double anterior_exposed_mm = 0.0, posterior_exposed_mm = 0.0;
 };

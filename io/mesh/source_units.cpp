@@ -208,10 +208,10 @@ std::vector<ImportDecision> take_part_units(ImportSource& source, LengthUnit uni
                         const auto& stretch_part) {
     if (!stated || *stated == unit) return;
     stretch_part(Vec3::Constant(in_mm(*stated) / in_mm(unit)));
-    decisions.push_back({"units",
-                         std::string(part) + ' ' + to_string(*stated) + ", converted to " +
-                             to_string(unit),
-                         "stated by the names of the columns"});
+    decisions.push_back(
+        {"units",
+         std::string(part) + ' ' + to_string(*stated) + ", converted to " + to_string(unit),
+         "stated by the names of the columns"});
   };
   take("chordae", source.chordae_unit, [&](const Vec3& factors) {
     for (ImportedChorda& chorda : source.chordae) stretch(chorda, factors);

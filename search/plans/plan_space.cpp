@@ -400,12 +400,11 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
       return;
     case LeafletChoice::Triangular:
     case LeafletChoice::Quadrangular:
-      plan.steps.emplace_back(
-          LeafletResection{.shape = leaflet == LeafletChoice::Triangular
-                                        ? ResectionShape::Triangular
-                                        : ResectionShape::Quadrangular,
-                           .along = within(kResectionAlong, posterior_lesion()->middle),
-                           .width_mm = width_mm});
+      plan.steps.emplace_back(LeafletResection{
+          .shape = leaflet == LeafletChoice::Triangular ? ResectionShape::Triangular
+                                                        : ResectionShape::Quadrangular,
+          .along = within(kResectionAlong, posterior_lesion()->middle),
+          .width_mm = width_mm});
       return;
     case LeafletChoice::Clip:
       plan.steps.emplace_back(

@@ -106,7 +106,8 @@ TEST(GivenLandmarks, ThatAreDoubtfulAreLookedAt) {
   EXPECT_NE(off.reason.find("10 mm along the annulus from where the sheets meet"),
             std::string::npos)
       << off.reason;
-  const ImportDecision moved = told_of({.saddle_peak_mm = on_cone(90, 0.4)}, "saddle peak as given");
+  const ImportDecision moved =
+      told_of({.saddle_peak_mm = on_cone(90, 0.4)}, "saddle peak as given");
   EXPECT_TRUE(moved.look);
   EXPECT_NE(moved.reason.find("the saddle peak was moved by"), std::string::npos) << moved.reason;
   const ImportDecision alone =
@@ -116,9 +117,9 @@ TEST(GivenLandmarks, ThatAreDoubtfulAreLookedAt) {
 }
 
 TEST(GivenLandmarks, CommissuresWhoseSidesAreExchangedAreRefused) {
-  const ImportDecision swapped =
-      told_of({.anterolateral_commissure_mm = on_cone(0, 0),
-               .posteromedial_commissure_mm = on_cone(180, 0)}, "");
+  const ImportDecision swapped = told_of({.anterolateral_commissure_mm = on_cone(0, 0),
+                                          .posteromedial_commissure_mm = on_cone(180, 0)},
+                                         "");
   EXPECT_EQ(swapped.value, "/landmarks/anterolateral_commissure_mm");
   EXPECT_TRUE(swapped.reason.starts_with("lies on the posteromedial side")) << swapped.reason;
 }

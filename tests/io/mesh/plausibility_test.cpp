@@ -73,6 +73,19 @@ std::vector<std::string> looked_at(const ImportSource& source, const ImportOptio
   return subjects;
 }
 
+/// In an annulus whose front and back rise by `saddle_mm` over its sides, `depth` of its own.
+ImportSource saddled(ImportSource source, double saddle_mm, double depth = 1.0) {
+  const auto raised = [&](Points& points) {
+    for (auto point : points.rowwise()) {
+      const double cosine = 2.0 * std::pow(point.y() / point.head<2>().norm(), 2) - 1.0;
+      point.z() = depth * point.z() + 0.5 * saddle_mm * cosine;
+    }
+  };
+  for (TriangleMesh& mesh : source.leaflets) raised(mesh.vertices_mm);
+  raised(source.annulus_mm);
+  return source;
+}
+
 TEST(Plausibility, TipsBesideTheValveAreLookedAt) {
   ImportSource source = cone_source();
   ImportOptions options;
@@ -90,7 +103,8 @@ TEST(Plausibility, TipsBesideTheValveAreLookedAt) {
 }
 
 TEST(Plausibility, SizesOfNoHeartAreLookedAt) {
-  EXPECT_TRUE(looked_at(cone_source()).empty());
+  EXPECT_TRUE(looked_at(saddled(cone_source(), 4.0)).empty());
+  EXPECT_EQ(looked_at(cone_source()), std::vector<std::string>{"size"}) << "a flat annulus";
   ImportSource large = cone_source(), small = cone_source();
   for (const auto& [source, factor] : {std::pair(&large, 2.2), {&small, 0.5}}) {
     for (TriangleMesh& mesh : source->leaflets) mesh.vertices_mm *= factor;
@@ -111,17 +125,9 @@ TEST(Plausibility, AContourBesideTheLeafletsIsLookedAt) {
   EXPECT_NE(std::find(subjects.begin(), subjects.end(), "contour"), subjects.end());
 }
 
-/// Two sheets without tips, in an annulus whose front and back rise by `saddle_mm` over its sides, `depth` of their own.
+/// Two sheets without tips.
 ImportSource flat_sheets(double saddle_mm, double depth) {
-  ImportSource source = cone_source_with_gaps();
-  const auto raised = [&](Points& points) {
-    for (auto point : points.rowwise()) {
-      const double cosine = 2.0 * std::pow(point.y() / point.head<2>().norm(), 2) - 1.0;
-      point.z() = depth * point.z() + 0.5 * saddle_mm * cosine;
-    }
-  };
-  for (TriangleMesh& mesh : source.leaflets) raised(mesh.vertices_mm);
-  raised(source.annulus_mm);
+  ImportSource source = saddled(cone_source_with_gaps(), saddle_mm, depth);
   source.chordae.clear();
   return source;
 }
