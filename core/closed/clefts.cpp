@@ -31,7 +31,8 @@ Cleft* nearest_of(std::vector<Cleft>& clefts, const std::vector<Vec3>& roots_mm,
 /// Gives each cleft what lies of an opening beside it; of one without a surface all or nothing, by its centroid.
 void add_leak(const LeakOpening& opening, const std::vector<Vec3>& roots_mm,
               std::vector<Cleft>& clefts) {
-  const auto& [points_mm, faces, outline] = opening.surface;
+  const Points& points_mm = opening.surface.points_mm;
+  const Faces& faces = opening.surface.faces;
   const auto area = [&](Index f) {
     const Vec3 a = points_mm.row(faces(f, 0)), b = points_mm.row(faces(f, 1)),
                c = points_mm.row(faces(f, 2));
