@@ -37,14 +37,14 @@ void check_mesh(const JsonPlace& place, const LeafletMesh& mesh) {
     add_problem(place, ErrorCode::BadReference,
                 "faces must name vertices from 0 to " + std::to_string(vertices - 1));
   if (mesh.names.size() > kMostLeaflets)
-    add_problem(place, ErrorCode::OutOfRange, "names must have at most 100 leaflets");
+    add_problem(place, ErrorCode::OutOfRange, "names must have at most 100 entries");
   const auto named = [&](int leaflet) {
     return leaflet >= 0 && leaflet < static_cast<int>(mesh.names.size());
   };
   if (!mesh.leaflets.empty() && (std::ssize(mesh.leaflets) != mesh.faces.rows() ||
                                  !std::all_of(mesh.leaflets.begin(), mesh.leaflets.end(), named)))
     add_problem(place, ErrorCode::BadReference,
-                "leaflets must give each face a place in the list of names");
+                "leaflets must hold one index into names, from 0, for each face");
 }
 
 /// A mesh as numbers.

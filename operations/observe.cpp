@@ -56,9 +56,10 @@ Expected<OperationTask> read_observe(const Json& request, const Context& context
                {"forget", into(asked.forget, read_boolean), false}});
   if (asked.effective && has_leak(asked.observed))
     problems.add(ErrorCode::Unsupported, "/effective_leak",
-                 "is the figure of observed/leak_mm2; leave one of them out");
+                 "states the same measurement as observed/leak_mm2; give only one of them");
   if (problems.empty() && asked.observed.empty() && !asked.effective && !asked.forget)
-    problems.add(ErrorCode::MissingField, "/observed", "is required, or forget");
+    problems.add(ErrorCode::MissingField, "/observed",
+                 "is missing; give observed, effective_leak or forget");
   if (!problems.empty()) return std::move(problems).take();
   const Valve valve = observed_valve(asked);
   if (Errors errors = validate(valve); !errors.empty()) return errors;

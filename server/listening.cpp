@@ -55,8 +55,7 @@ Expected<Listening> listen_on(const std::string& host, int port) {
     const int bound = port_of(socket);
     return Listening{std::move(socket), bound};
   }
-  return Error{ErrorCode::InputOutput, "",
-               host + ':' + std::to_string(port) + " cannot be listened on"};
+  return Error{ErrorCode::InputOutput, "", "cannot listen on " + host + ':' + std::to_string(port)};
 }
 
 }  // namespace coapt

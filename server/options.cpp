@@ -19,11 +19,11 @@ void add_http_limits(Command app, HttpLimits& http) {
   add_limit(app, "--header-bytes", http.header_bytes, std::size_t{1024}, kMiB,
             "Maximum size of a request line with its headers, bytes");
   add_limit(app, "--header-seconds", http.header_seconds, 0.1, 600.0,
-            "Timeout for receiving the headers of a request");
+            "Timeout for receiving the headers of a request, s");
   add_limit(app, "--body-seconds", http.body_seconds, 0.1, 3600.0,
-            "Timeout for receiving the body of a request");
+            "Timeout for receiving the body of a request, s");
   add_limit(app, "--answer-seconds", http.answer_seconds, 0.1, 3600.0,
-            "Timeout for sending the answer");
+            "Timeout for sending the answer, s");
   add_limit(app, "--connections", http.connections, 8, 100000,
             "Maximum number of open connections");
   add_limit(app, "--requests", http.requests, 4, 4096,
@@ -40,10 +40,10 @@ void add_service_limits(Command app, ServiceLimits& service) {
   add_limit(app, "--vertex-steps", service.vertex_steps, 1e3, 1e12,
             "Maximum steps times vertices of a closure computed within a request");
   add_limit(app, "--request-seconds", service.request_seconds, 0.1, 3600.0,
-            "Maximum computing time within a request");
+            "Maximum computing time within a request, s");
   add_limit(app, "--import-bytes", service.import_bytes, std::size_t{1} << 28, std::size_t{1} << 40,
-            "Maximum address space of the process that reads the files of an import");
-  add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Maximum running time of a job");
+            "Maximum address space of the process that reads the files of an import, bytes");
+  add_limit(app, "--seconds", service.seconds, 1.0, 1e6, "Maximum running time of a job, s");
   add_limit(app, "--kept-plans", service.kept_plans, 0, 1'000'000, "Maximum number of kept plans");
   add_limit(app, "--kept-jobs", service.retention.jobs, 1, 1'000'000,
             "Maximum number of finished jobs to keep; the oldest are removed first");
@@ -59,7 +59,7 @@ void add_service_limits(Command app, ServiceLimits& service) {
             "Maximum number of closures of one POST /v1/evaluations (plans times region points, "
             "evidence and draws) for a valve of 650 triangles");
   add_limit(app, "--wait-seconds", service.wait_seconds, 0, 3600,
-            "Maximum wait that a client may request (Prefer: wait)");
+            "Maximum wait that a client may request (Prefer: wait), s");
   add_limit(app, "--running-jobs", service.running_jobs, 1, 64, "Maximum number of running jobs");
   add_limit(app, "--threads", service.threads, 0, 1024,
             "Number of threads of a running job (0: all cores); does not change results");
@@ -73,7 +73,8 @@ void add_options(Command app, ServerOptions& options) {
       .show_default();
   app.add_option(
          "--host", options.host,
-         "Address to listen on; other addresses than this machine's own require --token-file")
+         "Address to listen on; any address other than a loopback one (127.0.0.1, ::1) requires "
+         "--token-file")
       .show_default();
   app.add_option("--db", options.database,
                  "Database of valves and jobs (SQLite, created if missing); closures are stored "

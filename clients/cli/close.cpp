@@ -141,7 +141,8 @@ void add_close(Command parent, int& status) {
     certainties[to_string(word)] = word;
   command
       .add_choice("--certainty", arguments->certainty, certainties,
-                  "How much time the leak is worth: quick (default), the mesh as given; sure, also "
+                  "Effort spent on the mesh error of the leak: quick (default), the mesh as given; "
+                  "sure, also "
                   "four times the triangles; proof, finer and finer meshes until the leak settles, "
                   "as --converge does")
       .show_argument("WORD");

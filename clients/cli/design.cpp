@@ -85,7 +85,7 @@ void add_design_ring(Command parent, int& status) {
       parent.add_command("ring", "Design an annuloplasty ring for a population or for one patient");
   command.add_option("--population", arguments->population,
                      "Directory of a population, or its file (coapt.population/1)");
-  command.add_option("--valve", arguments->valve, "Design it for this valve alone");
+  command.add_option("--valve", arguments->valve, "Design the ring for this valve alone");
   command.add_option("--aetiology", arguments->aetiology,
                      "Use only members with this aetiology: ischaemic, dilated, ...");
   command

@@ -26,7 +26,8 @@ struct DiagnoseArguments {
 /// Of coapt.diagnosis/1.
 void print_diagnosis(std::ostream& out, const Json& diagnosis) {
   out << diagnosis["sentence"].get<std::string>() << "\n\n";
-  TableRows rows = {{"segment", "finding", "edge above annulus", "override", "along", "ruptured"}};
+  TableRows rows = {{"segment", "finding", "edge above annulus", "override", "length of edge",
+                     "ruptured chordae"}};
   const auto mm = [](const Json& value) { return with_decimals(value.get<double>(), 1) + " mm"; };
   for (const Json& segment : diagnosis["segments"])
     rows.push_back({segment["name"],

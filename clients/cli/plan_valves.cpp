@@ -166,7 +166,7 @@ int prepare(const PlanArguments& arguments, const std::vector<GivenValve>& given
   }
   for (const GivenValve& one : given)
     if (const Errors errors = check_search(one.valve, arguments.options); !errors.empty()) {
-      if (several) std::cerr << "coapt: plan: of " << printable(one.argument) << ":\n";
+      if (several) std::cerr << "coapt: plan: problems of " << printable(one.argument) << ":\n";
       return report_search_errors(arguments, errors);
     }
   return exit_code::kOk;

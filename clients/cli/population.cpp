@@ -128,7 +128,7 @@ void add_population_make(Command parent, int& status) {
   const auto arguments = std::make_shared<PopulationMakeArguments>();
   Command command = parent.add_command(
       "make", "Draw competent valves from published distributions and apply disease to them");
-  command.add_option("-n,--number", arguments->count, "Valves")
+  command.add_option("-n,--number", arguments->count, "Number of valves")
       .check(number_from(1, 100000))
       .show_default();
   command.add_option("--seed", arguments->seed, "Random seed")

@@ -163,7 +163,7 @@ void print_model_draws(std::ostream& out, const Json& result) {
   if (model->value("observed", Json::array()).empty()) return;
   const bool contradicts = (*model)["contradicts_model"].get<bool>();
   const char* const who =
-      contradicts ? "it "
+      contradicts ? "the observation "
                   : "the variants are weighted by their agreement with the observations; they ";
   print_words(out, "Observed: ", who + weight_words(contradicts, number_of((*model)["effective"])));
 }

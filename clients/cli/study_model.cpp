@@ -75,7 +75,7 @@ int run(const StudyModelArguments& arguments, const std::optional<Service>& serv
 void add_study_model(Command parent, int& status) {
   const auto arguments = std::make_shared<StudyModelArguments>();
   Command command = parent.add_command(
-      "model", "Analyse the sensitivity of leak and orifice to uncertain tissue and chordae");
+      "model", "Analyse the sensitivity of the leak to uncertain tissue and chordae");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
   command

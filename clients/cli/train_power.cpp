@@ -41,8 +41,8 @@ int run(const TrainPowerArguments& arguments) {
     return exit_code::kOk;
   }
   std::cout << percent(arguments.share) << " against " << percent(arguments.other)
-            << " of right answers, power " << percent(arguments.power) << " at 5 %, two-sided:\n  "
-            << counted(needed, "answer") << " a group; with "
+            << " of correct answers, power " << percent(arguments.power)
+            << " at 5 %, two-sided:\n  " << counted(needed, "answer") << " a group; with "
             << counted(arguments.answers, "answer") << " each " << people(1.0)
             << " people a group, " << people(arguments.design_effect) << " with a design effect of "
             << fixed(arguments.design_effect, 1) << '\n';
@@ -55,11 +55,11 @@ void add_train_power(Command parent, int& status) {
   const auto arguments = std::make_shared<TrainPowerArguments>();
   Command command = parent.add_command(
       "power",
-      "Calculate how many learners a study needs to tell two shares of right answers apart");
-  command.add_option("p", arguments->share, "Share of right answers of one group")
+      "Calculate how many learners a study needs to tell two proportions of correct answers apart");
+  command.add_option("p", arguments->share, "Proportion of correct answers in one group")
       .check(number_from(kLeastShare, kLargestShare))
       .required();
-  command.add_option("q", arguments->other, "Share of right answers of the other")
+  command.add_option("q", arguments->other, "Proportion of correct answers in the other")
       .check(number_from(kLeastShare, kLargestShare))
       .required();
   command.add_option("--answers", arguments->answers, "Number of answers of each learner")
@@ -69,8 +69,10 @@ void add_train_power(Command parent, int& status) {
       .check(number_from(0.5, kLargestShare))
       .show_default();
   command
-      .add_option("--design-effect", arguments->design_effect,
-                  "Factor on the number of answers because those of one person are correlated")
+      .add_option(
+          "--design-effect", arguments->design_effect,
+          "Design effect: factor on the number of answers, because the answers of one learner "
+          "are correlated")
       .check(number_from(1.0, 100.0))
       .show_default();
   command.add_flag("--json", arguments->json, "Print JSON (coapt.training_power/1)");

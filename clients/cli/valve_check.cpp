@@ -37,7 +37,8 @@ void add_valve_check(Command parent, int& status) {
   const auto arguments = std::make_shared<ValveCheckArguments>();
   Command command = parent.add_command("check", "List every problem of a valve file");
   command.add_option("valve", arguments->valve, kValveHelp).required();
-  command.add_flag("--json", arguments->json, "{\"problems\": [{\"path\", \"message\"}]}");
+  command.add_flag("--json", arguments->json,
+                   "Print the problems as JSON: {\"problems\": [{\"path\", \"message\"}]}");
   command.footer(
       "Exit code 2 if there is any problem; path is a JSON pointer, empty for the whole file.\n\n"
       "Examples:\n"

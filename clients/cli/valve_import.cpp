@@ -165,10 +165,11 @@ void add_valve_import(Command parent, int& status) {
                      "label map (.nrrd, .nii, .nii.gz), meshes, markups, tables; or a folder of "
                      "these, of SlicerHeart or of a DICOM series");
   command
-      .add_option("--leaflet", inputs.leaflets,
-                  "Leaflet mesh (OBJ, PLY, STL, VTK, VTP or VTU): anterior and posterior, one file "
-                  "with both as parts, or one continuous skirt; sheets, or thick shells, which are "
-                  "reduced to their mid-surfaces")
+      .add_option(
+          "--leaflet", inputs.leaflets,
+          "Leaflet mesh (OBJ, PLY, STL, glTF, VTK, VTP or VTU): anterior and posterior, one file "
+          "with both as parts, or one continuous skirt; sheets, or thick shells, which are "
+          "reduced to their mid-surfaces")
       .count(1, 2);
   command
       .add_option("--labels", inputs.labels,
@@ -188,10 +189,11 @@ void add_valve_import(Command parent, int& status) {
   command.add_option("--series", inputs.series,
                      "Folder of the DICOM series that was segmented; supplies spacing and frame if "
                      "the label map lacks them, otherwise checks them");
-  command.add_option("--annulus", inputs.annulus,
-                     "Annulus as a closed loop: a table with columns x, y, z (CSV, text, .fcsv), a "
-                     "closed curve from Slicer (.mrk.json), or lines in OBJ or VTK (default: "
-                     "detected along the leaflet outlines)");
+  command.add_option(
+      "--annulus", inputs.annulus,
+      "Annulus as a closed loop: a table with columns x, y, z (CSV, text, .fcsv), a "
+      "closed curve from Slicer (.mrk.json), or lines in OBJ, glTF, VTK or VTP (default: "
+      "detected along the leaflet outlines)");
   command.add_option("--chordae", inputs.chordae,
                      "Insertions and papillary tips (CSV or JSON); or the word synthesise, to "
                      "generate chordae from anatomical data because images show none");

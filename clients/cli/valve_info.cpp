@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/read_argument.h"
+#include "core/valve/pressure_unit.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/json/json.h"
@@ -77,7 +78,7 @@ void print_text(const Valve& valve, const Summary& summary) {
             << "  chordae         " << valve.chordae.size();
   for (const auto& [kind, count] : summary.chordae) std::cout << ", " << count << ' ' << kind;
   std::cout << "; " << summary.ruptured << " ruptured\n"
-            << "  pressure        " << fixed(valve.pressure_kpa, 1) << " kPa\n";
+            << "  pressure        " << fixed(kMmhgPerKpa * valve.pressure_kpa, 0) << " mmHg\n";
   for (const std::string& line : valve.provenance) std::cout << "  - " << printable(line) << '\n';
 }
 

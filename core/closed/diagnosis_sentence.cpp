@@ -60,7 +60,10 @@ std::string height_of(const SegmentDiagnosis& segment, bool is_alone) {
       segment.width_mm >= 1.0 ? " over " + in_mm(segment.width_mm) + " of its length" : "";
   if (segment.highest_mm >= 0.5)
     return edge + " rises up to " + in_mm(segment.highest_mm) + " above the annulus" + width;
-  return edge + " overrides the opposite leaflet by " + in_mm(std::max(0.0, segment.override_mm)) +
+  if (segment.override_mm < 0.5)
+    return "blood leaks through an opening beside " +
+           (is_alone ? std::string("it") : std::string(to_string(segment.segment)));
+  return edge + " overrides the opposite leaflet by " + in_mm(segment.override_mm) +
          " more than normal" + width;
 }
 
@@ -82,10 +85,10 @@ Reason of_excess(const Diagnosis& diagnosis) {
 
 Reason of_tethering(const Diagnosis& diagnosis) {
   const auto away = [&](int side) { return with_decimals(diagnosis.tip_to_trigone_mm[side], 0); };
-  const std::string depth = diagnosis.tenting_height_mm >= 0.5
-                                ? ", and the leaflets coapt or end " +
-                                      in_mm(diagnosis.tenting_height_mm) + " below the annulus"
-                                : "";
+  const std::string depth =
+      diagnosis.tenting_height_mm >= 0.5
+          ? ", and the tenting height is " + in_mm(diagnosis.tenting_height_mm)
+          : "";
   if (!diagnosis.tethered_side)
     return {"both papillary muscles tether the leaflets",
             "the tips lie " + away(0) + " and " + away(1) + " mm from their trigones" + depth};
@@ -113,9 +116,12 @@ Reason of_clefts(const Diagnosis& diagnosis) {
 Reason of_annulus(const Diagnosis& diagnosis) {
   return {diagnosis.annulus_dilated ? "the annulus is too wide for the leaflets"
                                     : "the leaflets are too short for the annulus",
-          with_decimals(diagnosis.ap_mm, 0) + " x " + in_mm(diagnosis.transverse_mm) +
-              ", a ratio of " + with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
-              " instead of 0.75"};
+          "its diameters are " + in_mm(diagnosis.ap_mm) + " (anteroposterior) and " +
+              in_mm(diagnosis.transverse_mm) + " (transverse)" +
+              (diagnosis.annulus_dilated
+                   ? ", a ratio of " + with_decimals(diagnosis.ap_mm / diagnosis.transverse_mm, 2) +
+                         ", where 0.75 is normal"
+                   : "")};
 }
 
 /// Clefts, and what they do not explain.
@@ -152,7 +158,8 @@ std::string because(const Diagnosis& diagnosis, bool with_figures) {
   }
   text += ".";
   if (diagnosis.not_ruled_out)
-    text += std::string(" Type ") + to_string(*diagnosis.not_ruled_out) + " is not ruled out.";
+    text += std::string(" Carpentier type ") + to_string(*diagnosis.not_ruled_out) +
+            " is not ruled out.";
   if (!diagnosis.competent_sure)
     text += " The leak is too close to " + shown(kMildLeak_mm2) +
             " mm² to tell whether the valve is competent.";

@@ -24,9 +24,9 @@ std::string step_path(std::size_t i) { return "/steps/" + std::to_string(i); }
 
 void refuse_second(const std::string& path, const std::string& what, std::size_t first,
                    ProblemList& problems) {
-  problems.add(
-      ErrorCode::ImpossibleStep, path,
-      "is a second " + what + ", after step " + std::to_string(first) + "; only one is possible");
+  problems.add(ErrorCode::ImpossibleStep, path,
+               "is a second " + what + ", after that of step " + std::to_string(first + 1) +
+                   " (counted from 1); only one is possible");
 }
 
 void resect(const RepairPlan& plan, const LeafletCoordinates& coordinates, Valve& valve,

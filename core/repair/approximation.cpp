@@ -43,7 +43,8 @@ bool check_approximation(const PapillaryApproximation& step, const Valve& valve,
                "is " + shown(step.suture_length_mm) +
                    (slack ? " mm, slack: longer than the distance from tip to anchor;" : " mm;") +
                    " must be from " + shown(accepted.min) + " to " + shown(accepted.max) +
-                   " mm (not below " + shown(kSutureMm.min) + " mm nor half the present distance)");
+                   " mm (neither below " + shown(kSutureMm.min) +
+                   " mm nor below half the present distance)");
   return false;
 }
 

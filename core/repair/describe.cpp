@@ -6,6 +6,7 @@
 
 #include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
+#include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 
 namespace coapt {
@@ -74,9 +75,10 @@ std::string words(Anatomy& anatomy, const Annuloplasty& step) {
   if (below == 0)
     return "annuloplasty: ring in the annulus's own shape and size (transverse " +
            with_decimals(transverse, 1) + " mm)";
-  return "annuloplasty: ring in the annulus's own shape, undersized by " + std::to_string(below) +
-         (below == 1 ? " size" : " sizes") + " (transverse " + with_decimals(transverse, 1) +
-         " to " + with_decimals(transverse - kRingSizeStep_mm * below, 1) + " mm)";
+  return "annuloplasty: ring in the annulus's own shape, " +
+         undersizing_words(std::get<OwnRing>(step.ring)) + " (transverse " +
+         with_decimals(transverse, 1) + " to " +
+         with_decimals(transverse - kRingSizeStep_mm * below, 1) + " mm)";
 }
 
 std::string words(Anatomy& anatomy, const Neochorda& step) {
@@ -159,6 +161,11 @@ std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan,
   for (const RepairStep& step : plan.steps)
     lines.push_back(std::visit([&anatomy](const auto& s) { return words(anatomy, s); }, step));
   return lines;
+}
+
+std::string undersizing_words(const OwnRing& ring) {
+  return ring.sizes_below == 0 ? "not undersized"
+                               : "undersized by " + counted(ring.sizes_below, "size");
 }
 
 }  // namespace coapt

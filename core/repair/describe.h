@@ -13,4 +13,7 @@ namespace coapt {
 std::vector<std::string> describe(const Valve& valve, const RepairPlan& plan,
                                   const LeafletCoordinates* coordinates = nullptr);
 
+/// "undersized by 2 sizes", "not undersized".
+std::string undersizing_words(const OwnRing& ring);
+
 }  // namespace coapt

@@ -98,8 +98,8 @@ bool check_ring_terms(const RingTerms& terms, const std::string& path, ProblemLi
   if (!possible || unsewable(terms) == 0.0) return possible;
   problems.add(ErrorCode::BadGeometry, path,
                "is a ring with a dent deeper than " + shown(kMostDent) +
-                   " of its width, or one that crosses itself: less p3_inset or flattening, or "
-                   "more ap_over_transverse");
+                   " of its width, or one that crosses itself; reduce p3_inset or flattening, "
+                   "or increase ap_over_transverse");
   return false;
 }
 

@@ -18,13 +18,14 @@ struct RingShape {
 };
 
 inline constexpr std::array<RingShape, 3> kRingShapes = {{
-    {"generic-classic", 0.75, 1.0, 0.0, "flat, 3 : 4, as most rings for degenerative disease"},
+    {"generic-classic", 0.75, 1.0, 0.0, "flat, 3 : 4, like most rings for degenerative disease"},
     {"generic-etlogix-like", 0.68, 1.0, 0.0,
-     "flat, shorter anteroposterior, as rings for ischaemic disease; its asymmetry at P3 is left "
-     "out"},
+     "flat, shortened anteroposteriorly, like rings for ischaemic disease; its asymmetry at P3 is "
+     "not "
+     "modelled"},
     {"generic-geoform-like", 0.51, 1.12, 0.0,
-     "strongly shortened anteroposterior, 12 % wider than its label, as rings for dilated "
-     "ventricles; its posterior elevation is left out"},
+     "markedly shortened anteroposteriorly, 12 % wider than its label, like rings for dilated "
+     "ventricles; its posterior elevation is not modelled"},
 }};
 
 /// The shape of this name, or null.

@@ -35,7 +35,7 @@ void check_size(const Points& loop, const std::string& path, ProblemList& proble
   problems.add(ErrorCode::BadGeometry, path,
                "gives the annulus a circumference of " + shown(length) + " mm" +
                    (length == 0.0  ? ": all points are the same;"
-                    : length < 1.0 ? ", looks like metres;"
+                    : length < 1.0 ? ", which looks like metres;"
                                    : ",") +
                    " must be from 30 to 400 mm");
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/valve/counted.h"
 #include "core/valve/problem_list.h"
 #include "io/exchange/import_files.h"
 #include "io/image/detached.h"
@@ -89,8 +90,8 @@ Expected<CompleteFiles> completed(std::vector<NamedFile> files) {
       if (const std::size_t at = named(name, i); at < files.size()) found.push_back(at);
     if (found.size() < companions->size()) {
       problems.add(ErrorCode::MissingField, path,
-                   "names " + std::to_string(companions->size() - found.size()) +
-                       " other files that are missing; provide them together with it");
+                   "names " + counted(companions->size() - found.size(), "other file") +
+                       " not provided; provide every file together with it");
       continue;
     }
     if (format_of(files[i].name) == "vtm") {
@@ -99,10 +100,10 @@ Expected<CompleteFiles> completed(std::vector<NamedFile> files) {
         if (!pieces[k].name.empty())
           files[found[k]].name = pieces[k].name + '.' + format_of(files[found[k]].name);
       gone[i] = true;
-      complete.decisions.push_back({"files",
-                                    called(i) + " (.vtm) names what " +
-                                        std::to_string(pieces.size()) + " other files contain",
-                                    "it is a VTK multi-block file"});
+      complete.decisions.push_back(
+          {"files",
+           called(i) + " (.vtm) names the contents of " + counted(pieces.size(), "other file"),
+           "it is a VTK multi-block file"});
     } else {
       const bool gltf = format_of(files[i].name) == "gltf";
       files[i].bytes = gltf ? gltf_with_buffer(files[i].bytes, files[found[0]].bytes)

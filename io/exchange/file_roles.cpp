@@ -272,7 +272,7 @@ Expected<SortedFiles> sorted_files(std::vector<NamedFile> files) {
       parts.leaflets.push_back(std::move(files[i]));
     }
     parts.order.called[side == FileRole::Anterior ? 0 : 1] =
-        (called.find(',') == std::string::npos ? "file " : "files ") + called;
+        (called.find(',') == std::string::npos ? "file " : "the union of files ") + called;
   }
   parts.order.swap = "use --leaflet, with the anterior leaflet first";
   place(FileRole::Labels, "/labels", [&](NamedFile file) { parts.labels = std::move(file); });

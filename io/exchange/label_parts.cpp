@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/exchange/label_candidates.h"
@@ -103,7 +104,7 @@ class LabelChoice {
       for (const ValvePart part : {ValvePart::Anterior, ValvePart::Posterior})
         if (of(part).empty())
           problems_.add(ErrorCode::BadReference, pointer(part),
-                        std::string("is missing: no label is named the ") + words_of(part) +
+                        std::string("is missing: no label is named as the ") + words_of(part) +
                             ", and no other label is available; the file has labels " +
                             listed([](const LabelCandidate&) { return true; }));
       return;
@@ -272,7 +273,7 @@ class LabelChoice {
         if (const auto line = label_curve(map_, candidate->label); !line && candidate->number == 3)
           why = "; the file " + line.errors()[0].message;
     problems_.add(ErrorCode::BadReference, "/label_numbers",
-                  "is missing: " + listed(is_free) +
+                  "is missing: labels " + listed(is_free) +
                       " could each be a leaflet, but a mitral valve has two; name their labels "
                       "(--label anterior=N, --label posterior=N, repeated for scallops)" +
                       why);
@@ -362,7 +363,7 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
         parts.decisions.push_back({"labels",
                                    "the " + std::string(words_of(part)) +
                                        " reaches the border of the label map, with " +
-                                       std::to_string(cut) + " voxels",
+                                       counted(cut, "voxel"),
                                    "what lies beyond the border is missing", true, 0.5});
       Expected<TriangleMesh> surface = label_surface(whole, labels[0]->label);
       surface ? void(parts.leaflets.push_back(*std::move(surface))) : take(surface.errors());

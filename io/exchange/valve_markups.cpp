@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/metrics/annulus.h"
+#include "core/repair/describe.h"
 #include "core/valve/problem_list.h"
 
 namespace coapt {
@@ -27,8 +28,7 @@ Markup line(const std::string& name, const Vec3& from, const Vec3& to) {
 }
 
 std::string name_of(const OwnRing& ring) {
-  return "ring: the annulus's own shape, undersized by " + std::to_string(ring.sizes_below) +
-         " sizes";
+  return "ring: the annulus's own shape, " + undersizing_words(ring);
 }
 std::string name_of(const CatalogueRing& ring) {
   return "ring: " + ring.shape + ", size " + shown(ring.size_mm) + " mm";

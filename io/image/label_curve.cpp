@@ -133,7 +133,7 @@ Gap bridge(Ring& ring) {
 Error no_ring(const LabelAt& label, const std::string& why) {
   return {ErrorCode::BadGeometry, "",
           "has a label " + std::to_string(label.value) + " that is not a ring: " + why +
-              "; an annulus must be a closed band around the orifice"};
+              "; an annulus must be a closed band around the opening of the valve"};
 }
 
 }  // namespace

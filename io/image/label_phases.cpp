@@ -67,7 +67,8 @@ Errors read_phase(ByteStream& stream, const VoxelLayout& of_a_phase, int phase, 
                   LabelMap& map) {
   if (phase > map.phases)
     return {Error{ErrorCode::OutOfRange, "/phase",
-                  "is " + std::to_string(phase) + "; the file has " + std::to_string(map.phases)}};
+                  "is " + std::to_string(phase) + ", must be from 1 to " +
+                      std::to_string(map.phases) + ", the number of phases in the file"}};
   const auto take = [&](Volume volume, int at) {
     map.voxels = std::move(volume);
     map.phase = at;

@@ -245,9 +245,9 @@ class NrrdReader {
     map_.phases = map_.layers;
     map_.layers = 1;
     if (phase_ > map_.phases)
-      return {
-          Error{ErrorCode::OutOfRange, "/phase",
-                "is " + std::to_string(phase_) + "; the file has " + std::to_string(map_.phases)}};
+      return {Error{ErrorCode::OutOfRange, "/phase",
+                    "is " + std::to_string(phase_) + ", must be from 1 to " +
+                        std::to_string(map_.phases) + ", the number of phases in the file"}};
     const auto volume = static_cast<std::ptrdiff_t>(map_.size[0] * map_.size[1] * map_.size[2]);
     const auto begin_of = [&](int phase) { return map_.voxels.begin() + (phase - 1) * volume; };
     map_.phase = std::max(1, phase_);

@@ -268,8 +268,9 @@ Expected<FoundAnnulus> find_annulus(const ImportSource& source) {
   for (const Vec3& one : tips) tip += one / static_cast<double>(tips.size());
   if (source.leaflets.size() == 1) {
     if (tips.empty() || loops.size() < 2)
-      return unknown(tips.empty() ? "of one skirt only papillary tips do"
-                                  : "one sheet must be a skirt with two edges");
+      return unknown(tips.empty()
+                         ? "papillary tips are needed to tell the two edges of a single skirt apart"
+                         : "a single sheet must be a skirt with two edges");
     const Points other = outline(source.leaflets[0], loops[1]);
     const auto away = [&](const Points& line) {
       return (line.rowwise() - tip.transpose()).rowwise().norm().mean();

@@ -60,7 +60,7 @@ void check_given(const FramedSource& source, ProblemList& problems) {
     if (away > kLandmarkReach_mm)
       problems.add(ErrorCode::OutOfRange, std::string("/landmarks/") + landmark.key,
                    (away < 1e299 ? "lies " + significant(away, 3) + " mm from the annulus"
-                                 : std::string("is no place")) +
+                                 : std::string("is not a finite position")) +
                        "; must lie within 10 mm of the annulus, in the coordinates and units of "
                        "the files");
   }

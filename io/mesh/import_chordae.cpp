@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/closure/contact.h"
+#include "core/valve/counted.h"
 #include "core/valve/leaflet_of.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
@@ -188,9 +189,9 @@ ImportDecision described(const Attached& attached, const Valve& valve,
                      " marginal, moved to the free edge by at most " +
                      significant(attached.edge_max_mm, 3) + " mm, ";
   if (attached.trees > 0) {
-    text += std::to_string(attached.trees) + " of all keep their traced tree";
+    text += counted(attached.trees, "chorda", "chordae") + " with the traced tree";
   } else {
-    text += "each with " + std::to_string(options.branches) + " insertions";
+    text += "each with " + counted(options.branches, "insertion");
     if (options.branches > 1) {
       text += " a sixtieth of the annulus apart, branching at " +
               significant(100.0 * options.branch_at, 3) + " % of the way";
@@ -202,7 +203,7 @@ ImportDecision described(const Attached& attached, const Valve& valve,
             significant(attached.surface_max_mm, 3) + " mm";
   }
   if (attached.lengths > 0)
-    text += "; " + std::to_string(attached.lengths) + " pieces keep their imported slack";
+    text += "; " + counted(attached.lengths, "piece") + " with the imported slack";
   text += "; " + std::to_string(valve.heads.size()) + " papillary heads";
   const bool shifted = std::max(attached.edge_max_mm, attached.surface_max_mm) > kUsualShift_mm;
   return {"chordae", text,
@@ -224,7 +225,7 @@ Errors add_imported_chordae(const FramedSource& source, const Skirt& skirt,
   Attached attached;
   for (std::size_t i = 0; i < source.chordae.size(); ++i) {
     const ImportedChorda& imported = source.chordae[i];
-    if (options.budget.is_cancelled()) return {{ErrorCode::Busy, "", "was cancelled"}};
+    if (options.budget.is_cancelled()) return {{ErrorCode::Busy, "", "the import was cancelled"}};
     Chorda chorda;
     chorda.kind = imported.kind;
     chorda.head = head_of(imported, valve);

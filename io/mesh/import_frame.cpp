@@ -38,8 +38,8 @@ void check_annulus(const Points& annulus, ProblemList& problems) {
   const double length = ArcLength(annulus).total_mm();
   if (is_circumference_mm(length)) return;
   const char* unit = length == 0.0   ? ": all points are the same;"
-                     : length < 1.0  ? ", looks like metres;"
-                     : length < 20.0 ? ", looks like centimetres;"
+                     : length < 1.0  ? ", which looks like metres;"
+                     : length < 20.0 ? ", which looks like centimetres;"
                                      : ",";
   problems.add(
       ErrorCode::BadGeometry, "/annulus_mm",

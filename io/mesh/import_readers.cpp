@@ -299,8 +299,9 @@ LeftOver unused_columns(std::string_view table, std::initializer_list<std::strin
 Expected<std::vector<ImportedChorda>> read_chordae(std::string_view text, std::string_view format) {
   if (is_table_format(format)) return read_chordae_csv(text);
   if (format == "json") return read_chordae_json(text);
-  return Error{ErrorCode::Unsupported, "",
-               "chordae format '" + std::string(format.substr(0, 20)) + "', accepted: csv, json"};
+  return Error{
+      ErrorCode::Unsupported, "",
+      "has the chordae format '" + std::string(format.substr(0, 20)) + "', must be csv or json"};
 }
 
 }  // namespace coapt

@@ -34,18 +34,18 @@ void tell_repairs(const RepairedSheet& sheet, const std::string& name,
                   std::vector<ImportDecision>& told) {
   if (sheet.collapsed > 0)
     told.push_back({name, counted(sheet.collapsed, "collapsed triangle") + " dropped",
-                    "two of their corners coincide"});
+                    "two corners coincide"});
   if (sheet.repeated > 0)
     told.push_back({name, counted(sheet.repeated, "repeated triangle") + " dropped",
-                    "they have the same corners as others"});
+                    "same corners as another triangle"});
   if (sheet.turned > 0)
     told.push_back({name, counted(sheet.turned, "triangle") + " flipped",
-                    "their orientation differed from that of their neighbours"});
+                    "orientation opposite to that of the neighbours"});
   if (sheet.islands > 0)
     told.push_back(
         {name,
-         counted(sheet.islands, "loose piece") + " of " + significant(sheet.islands_mm2, 2) +
-             " mm2 dropped",
+         counted(sheet.islands, "loose piece") + " with a total area of " +
+             significant(sheet.islands_mm2, 2) + " mm2 dropped",
          "each less than 5 % of the leaflet's " + significant(sheet.area_mm2, 3) + " mm2",
          sheet.islands_mm2 > kIslandsToCheck * sheet.area_mm2});
   if (sheet.branching_edges > 0)
@@ -128,8 +128,8 @@ std::vector<ImportDecision> drop_loose_points(ImportSource& source) {
         mesh.faces.maxCoeff() >= mesh.vertices_mm.rows())
       continue;
     if (const int loose = drop_loose_points(mesh); loose > 0)
-      told.push_back({which(source.leaflets, i), counted(loose, "point") + " left out",
-                      "they belong to no triangle"});
+      told.push_back(
+          {which(source.leaflets, i), counted(loose, "point") + " left out", "in no triangle"});
   }
   return told;
 }
@@ -207,14 +207,23 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source, const ClosureBud
   if (source.annulus_mm.rows() > 0) return prepared;
   Expected<FoundAnnulus> found = find_annulus(source);
   if (!found) return found.errors();
-  prepared.decisions.push_back(
-      {"annulus",
-       "not given; detected along the leaflet outlines, with a score " +
-           significant(100.0 * found->margin, 2) + " % above that of the next loop",
-       "the widest, flattest loop formed by their edges; " + significant(found->off_plane_mm, 2) +
-           " mm from a plane (rms), " + significant(found->gap_mm, 2) +
-           " mm between the leaflets where they meet",
-       true});
+  const std::string margin = significant(100.0 * found->margin, 2) + " %";
+  if (source.leaflets.size() == 1)
+    prepared.decisions.push_back({"annulus",
+                                  "not given; detected as the edge of the skirt that is further "
+                                  "from the papillary tips, by " +
+                                      margin,
+                                  "a skirt has two edges, and the free edge is nearer to the tips",
+                                  true});
+  else
+    prepared.decisions.push_back({"annulus",
+                                  "not given; detected along the leaflet outlines, with a score " +
+                                      margin + " above that of the next loop",
+                                  "it is the widest, flattest loop formed by their edges; " +
+                                      significant(found->off_plane_mm, 2) +
+                                      " mm from a plane (rms), " + significant(found->gap_mm, 2) +
+                                      " mm between the leaflets where they meet",
+                                  true});
   source.annulus_mm = std::move(found->annulus_mm);
   return prepared;
 }

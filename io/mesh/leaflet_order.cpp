@@ -53,12 +53,12 @@ Vec3 atrial_normal(const std::vector<TriangleMesh>& leaflets, const Points& annu
 
 std::string sheet_words(const LeafletSigns& signs, std::size_t sheet) {
   return " has " + std::to_string(std::lround(100.0 * signs.share[sheet])) +
-         " % of the annulus and is " + significant(signs.height_mm[sheet], 2) + " mm tall";
+         " % of the annulus and is " + significant(signs.height_mm[sheet], 2) + " mm high";
 }
 
 std::string both_readings(const LeafletSigns& signs, const LeafletOrder& order, std::size_t first) {
   return order.called[first] + sheet_words(signs, first) + ", " + order.called[1 - first] +
-         sheet_words(signs, 1 - first) + "; an anterior leaflet has 27 to 45 %";
+         sheet_words(signs, 1 - first) + "; an anterior leaflet has 27 to 45 % of the annulus";
 }
 
 const char* words_of(LeafletClaim claim) {

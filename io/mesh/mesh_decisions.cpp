@@ -29,7 +29,7 @@ ImportDecision landmark_decision(const Skirt& skirt) {
           std::string("commissures ") +
               (skirt.commissures_given      ? "as given"
                : skirt.commissures_measured ? "where the two sheets meet"
-                                            : "38 % of the annulus apart about its front") +
+                                            : "38 % of the annulus apart, centred on its front") +
               ", saddle peak highest in front, mid-posterior half-way, trigones 66 % of the way "
               "from the peak to the commissures; segments by thirds of arc, fibres circumferential",
           about_commissures(skirt), look, look ? 0.5 : 1.0};
@@ -78,22 +78,22 @@ std::vector<ImportDecision> mesh_decisions(const FramedSource& source, const Ski
                       " mm2 (sheets " + counted(std::lround(input_area)) + " mm2)",
                   is_far(off), is_far(off) ? 0.5 : 1.0});
   told.push_back({"annulus",
-                  "sheets joined to the annulus line; holes and bites bridged, " +
+                  "sheets joined to the annulus line; holes and notches bridged, " +
                       significant(skirt.widest_bridge_mm, 3) + " mm wide at most",
                   "they were " + significant(skirt.annulus_gap_mm, 3) + " mm apart on average"});
   told.push_back({"commissures",
                   counted(bare) + " stations without a sheet interpolated between their neighbours",
                   "which closes the commissures"});
   told.push_back(landmark_decision(skirt));
-  told.push_back(
-      {"state",
-       valve.tissue.reference == TissueReference::InVivo
-           ? "the imaged state is interpreted as that of the unpressurised heart"
-           : "the imaged state is interpreted as stress-free",
-       std::string(source.pressed_annulus_mm.rows() > 0
-                       ? "the import includes annulus and papillary tips under pressure"
-                       : "annulus and papillary tips are used under pressure as well") +
-           (own_tissue ? "; tissue and pressure, too" : "; tissue of thesis table 2.1")});
+  told.push_back({"state",
+                  valve.tissue.reference == TissueReference::InVivo
+                      ? "the imaged state is interpreted as that of the unpressurised heart"
+                      : "the imaged state is interpreted as stress-free",
+                  std::string(source.pressed_annulus_mm.rows() > 0
+                                  ? "the import includes annulus and papillary tips under pressure"
+                                  : "annulus and papillary tips are used under pressure as well") +
+                      (own_tissue ? "; tissue and pressure are those of the files"
+                                  : "; tissue of table 2.1 of the thesis")});
   return told;
 }
 

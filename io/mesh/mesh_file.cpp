@@ -66,8 +66,8 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
     return std::move(file->mesh);
   }
   return Error{ErrorCode::Unsupported, "",
-               "mesh format '" + std::string(format.substr(0, 20)) +
-                   "', accepted: obj, ply, stl, glb, gltf, vtk, vtp, vtu"};
+               "has the mesh format '" + std::string(format.substr(0, 20)) +
+                   "', must be one of obj, ply, stl, glb, gltf, vtk, vtp, vtu"};
 }
 
 }  // namespace coapt

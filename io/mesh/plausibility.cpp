@@ -274,9 +274,9 @@ std::vector<ImportDecision> valve_checks(const FramedSource& source, const Skirt
   if (const auto doubt = tips_beside(source.tips, annulus)) doubts.push_back(*doubt);
   if (!closed && skirt.annulus_gap_mm > kBeside_mm)
     doubts.push_back({"contour",
-                      "away from the leaflets, which begin " +
+                      "it lies away from the leaflets, which begin " +
                           significant(skirt.annulus_gap_mm, 3) + " mm away on average",
-                      "usual is up to " + significant(kBeside_mm, 2) + " mm", true, 0.5});
+                      "up to " + significant(kBeside_mm, 2) + " mm is usual", true, 0.5});
   return doubts;
 }
 

@@ -67,23 +67,28 @@ std::string read_header_line(const std::vector<std::string_view>& tokens, Header
     if (!count || *count < 0 || *count > std::numeric_limits<std::int32_t>::max()) {
       return "the number of elements must be from 0 to 2147483647";
     }
-    if (header.elements.size() == kMaxElements) return "more than 20 elements";
+    if (header.elements.size() == kMaxElements) return "must have at most 20 elements";
     header.elements.push_back({tokens[1], static_cast<std::uint64_t>(*count), {}});
     return "";
   }
   if (keyword == "property" && !header.elements.empty()) {
     auto& properties = header.elements.back().properties;
-    if (properties.size() == kMaxProperties) return "more than 100 properties";
+    if (properties.size() == kMaxProperties)
+      return "must have at most 100 properties of an element";
     if (tokens.size() == 3) {
       const auto type = scalar_named(tokens[1]);
-      if (!type) return "unknown type of property";
+      if (!type)
+        return "the type of a property must be char, uchar, short, ushort, int, uint, float or "
+               "double";
       properties.push_back({tokens[2], *type, {}});
       return "";
     }
     if (tokens.size() == 5 && tokens[1] == "list") {
       const auto count = scalar_named(tokens[2]);
       const auto type = scalar_named(tokens[3]);
-      if (!count || !type) return "unknown type of property";
+      if (!count || !type)
+        return "the type of a property must be char, uchar, short, ushort, int, uint, float or "
+               "double";
       if (*count >= Scalar::Float32) return "the length of a list must be an integer type";
       properties.push_back({tokens[4], *type, count});
       return "";

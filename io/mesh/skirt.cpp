@@ -163,10 +163,11 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
                      std::abs(std::remainder(given.lateral_mm - measured->lateral_mm, total)));
       return given;
     }
-    return Error{ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
-                 "is " + shown(std::round(100.0 * share)) +
-                     " % of the annulus, over its front, from the posteromedial one; must be 10 to "
-                     "90 %"};
+    return Error{
+        ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
+        "lies " + shown(std::round(100.0 * share)) +
+            " % of the annulus from the posteromedial commissure, measured over the front; "
+            "must be from 10 to 90 %"};
   }
   if (source.leaflets.size() == 1) {
     const double half = 0.5 * kAnteriorArc * total;
@@ -272,7 +273,7 @@ Expected<Skirt> resample_skirt(const FramedSource& source, const SkirtSize& size
       surfaces.emplace_back(leaflet.vertices_mm, leaflet.faces);
   std::vector<Profile> profiles;
   for (int i = 0; i < cuts; ++i) {
-    if (budget.is_cancelled()) return Error{ErrorCode::Busy, "", "was cancelled"};
+    if (budget.is_cancelled()) return Error{ErrorCode::Busy, "", "the import was cancelled"};
     const double station = static_cast<double>(i) / kCutsPerStation;
     const Vec3 annulus = arc.at(arc_at(station));
     const std::size_t sheet = station * skirt.spacing_mm < anterior ? 0 : 1;

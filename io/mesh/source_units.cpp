@@ -197,9 +197,9 @@ void take_metres(ImportSource& source) {
   for (TriangleMesh& mesh : source.leaflets) mesh.vertices_mm *= factor;
   for (ImportedTip& place : source.sided) place.position_mm *= factor;
   source.decisions.push_back(
-      {"units", std::string("leaflets m, converted to ") + to_string(read.unit),
-       "glTF is in metres by its specification, and only so are the leaflets as large as the "
-       "annulus"});
+      {"units", std::string("leaflets in m, converted to ") + to_string(read.unit),
+       "glTF is in metres by its specification, and only then do the leaflets match the size of "
+       "the annulus"});
 }
 
 std::vector<ImportDecision> take_part_units(ImportSource& source, LengthUnit unit) {
@@ -210,7 +210,7 @@ std::vector<ImportDecision> take_part_units(ImportSource& source, LengthUnit uni
     stretch_part(Vec3::Constant(in_mm(*stated) / in_mm(unit)));
     decisions.push_back(
         {"units",
-         std::string(part) + ' ' + to_string(*stated) + ", converted to " + to_string(unit),
+         std::string(part) + " in " + to_string(*stated) + ", converted to " + to_string(unit),
          "stated by the names of the columns"});
   };
   take("chordae", source.chordae_unit, [&](const Vec3& factors) {

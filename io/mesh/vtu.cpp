@@ -136,7 +136,7 @@ class VtuReader {
       if (piece[0] < 0 || piece[1] < 0 || piece[0] >= lines.points_mm.rows() ||
           piece[1] >= lines.points_mm.rows())
         return Error{ErrorCode::BadReference, "/lines",
-                     "lead to points that are not there, must be below " +
+                     "refer to points that do not exist; point numbers must be below " +
                          std::to_string(lines.points_mm.rows())};
     return lines;
   }

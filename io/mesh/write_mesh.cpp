@@ -95,9 +95,9 @@ Expected<std::string> write_mesh(const TriangleMesh& mesh, std::string_view form
                                                                         : format == "vtk" ? vtk
                                                                                           : nullptr;
   if (write == nullptr)
-    return Error{
-        ErrorCode::Unsupported, "",
-        "mesh format '" + std::string(format.substr(0, 20)) + "', accepted: ply, obj, stl, vtk"};
+    return Error{ErrorCode::Unsupported, "",
+                 "has the mesh format '" + std::string(format.substr(0, 20)) +
+                     "', must be one of ply, obj, stl, vtk"};
   if (Errors errors = check(mesh); !errors.empty()) return errors;
   return write(mesh, remark);
 }

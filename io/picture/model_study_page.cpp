@@ -36,7 +36,7 @@ TableRows parameters_table(const ModelStudy& study) {
 }
 
 std::string lead_of(const ModelStudy& study) {
-  return counted(static_cast<long>(study.draws.size()), "draw") + " of tissue and chordae, " +
+  return counted(static_cast<long>(study.draws.size()), "variant") + " of tissue and chordae, " +
          std::to_string(study.untrusted) + " excluded as unreliable." +
          (study.observed.empty()
               ? ""
@@ -58,7 +58,7 @@ std::string page_of(const ModelStudy& study, const std::string& valve) {
   Sample sample{"leak over the variants", {}};
   for (const ModelStudyDraw& draw : study.draws)
     if (draw.trusted) sample.values.push_back(draw.leak_mm2);
-  chart.panels.push_back({{"leak", "leak, mm²", "draws"}, "mm²", {std::move(sample)}});
+  chart.panels.push_back({{"leak", "leak, mm²", "variants"}, "mm²", {std::move(sample)}});
   return study_page(
       "Tissue error of the leak: " + valve, lead_of(study),
       {{"Distribution of the leak", "", histogram_chart_svg(chart), areas_table(study)},

@@ -66,7 +66,7 @@ std::string verdict(const PlanReport& report, const RankedPlan& plan) {
   const bool failed = plan.status != ClosureStatus::Converged || plan.crossing;
   const bool acceptable = plan.is_acceptable && !failed && varied(plan);
   if (failed)
-    words = "The simulation of this plan failed; its results are unreliable.";
+    words = "The closure of this plan failed; its results are unreliable.";
   else if (!varied(plan))
     words =
         "It is unknown whether this plan is acceptable, because it was not closed with errors of "
@@ -155,9 +155,10 @@ std::string opening_figure(const RankedPlan& plan) {
 std::string durability_figure(const RankedPlan& plan) {
   if (!plan.durability) return "";
   return key_figure("Reserve against progression", row_of(plan).reserve,
-                    "of papillary displacement until the leak exceeds " + shown(kMildLeak_mm2) +
-                        " mm²; " + percent(plan.durability->outlasting) +
-                        " of simulated courses exceed " + shown(kFurthestCourse_mm) + " mm");
+                    "of papillary displacement by progressing disease until the leak exceeds " +
+                        shown(kMildLeak_mm2) + " mm²; in " + percent(plan.durability->outlasting) +
+                        " of the simulated courses it does not within " +
+                        shown(kFurthestCourse_mm) + " mm");
 }
 
 std::string leak_figure(const Estimate& before, const Estimate& after) {
@@ -166,7 +167,7 @@ std::string leak_figure(const Estimate& before, const Estimate& after) {
     return words.value + (words.interval.empty() ? "" : " (" + words.interval + ")");
   };
   return key_figure("Leak as planned", figure(is) + " mm²",
-                    is.cause + (is.cause.empty() ? "" : "; ") + "before " + figure(was) +
+                    is.cause + (is.cause.empty() ? "" : "; ") + "before " + figure(was) + " mm²" +
                         (was.cause.empty() || was.cause == is.cause ? "" : ", " + was.cause));
 }
 
@@ -175,9 +176,9 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
   const LeakStatistics& leak = plan.region.leak_mm2;
   const LeakMargin& margin = plan.region.margin_to_leak;
   const ValveMeasure& after = plan.measure;
-  const std::string of_variations =
-      varied(plan) ? "of " + grouped(plan.region.closures) + " errors of execution"
-                   : "not closed with errors of execution";
+  const std::string of_variations = varied(plan)
+                                        ? "of " + grouped(plan.region.closures) + " closures"
+                                        : "not closed with errors of execution";
   const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
   return "<dl>\n" + leak_figure(result.before_estimates.leak_mm2, plan.estimates.leak_mm2) +
@@ -185,7 +186,8 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
              "Leak with errors of execution",
              varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
              "± sd; 95th percentile " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
-         key_figure("Errors of execution with a leak below " + shown(kMildLeak_mm2) + " mm²",
+         key_figure("Closures with errors of execution that leak less than " +
+                        shown(kMildLeak_mm2) + " mm²",
                     percent(leak.below_5), of_variations) +
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
@@ -198,9 +200,11 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
          key_figure("Highest chordal tension", with_unit(after.tension_max_n, 2, "N"),
                     "before " + with_unit(before.tension_max_n, 2, "N")) +
          key_figure("Ring undersizing", undersizing(plan),
-                    shown(kUsualSizesBelow) + " usual, more is not accepted") +
+                    shown(kUsualSizesBelow) +
+                        " sizes are usual for tethered leaflets, none for others; more than " +
+                        shown(kUsualSizesBelow.max) + " are not accepted") +
          opening_figure(plan) + durability_figure(plan) +
-         key_figure("Papillary displacement, AL / PM", moved,
+         key_figure("Papillary relocation, AL / PM", moved,
                     "more than " + shown(kUsualMovement_mm) + " mm is unusual") +
          "</dl>\n";
 }

@@ -39,7 +39,8 @@ std::string tissue_words(const Estimate& leak) {
 std::vector<std::string> doubts_about(const RankedPlan& plan) {
   std::vector<std::string> doubts = plan.warnings;
   if (plan.status != ClosureStatus::Converged)
-    doubts.push_back(std::string("closure: ") + to_string(plan.status));
+    doubts.push_back(plan.status == ClosureStatus::Diverged ? "the closure diverged"
+                                                            : "the closure did not converge");
   if (plan.crossing) doubts.push_back("leaflets cross");
   return doubts;
 }
@@ -56,8 +57,9 @@ std::string checked_words(const RankedPlan& plan) {
              : "; on the valve's own mesh the plan ranks " + std::to_string(plan.own_mesh_rank)) +
         ". ";
   if (plan.model)
-    words += "Leak in " + counted(plan.model->draws, "variant") + " of tissue and chordae " +
-             tissue_words(plan.estimates.leak_mm2) + failed_draws(plan) + ".";
+    words += "Leak in " + counted(plan.model->draws, "variant") +
+             " of tissue and chordae: " + tissue_words(plan.estimates.leak_mm2) +
+             failed_draws(plan) + ".";
   return words.empty() ? "" : "<p class=\"small\">" + escape_html(words) + "</p>";
 }
 
@@ -152,13 +154,13 @@ std::string trade_offs(const SearchResult& result) {
   const bool all =
       std::all_of(result.plans.begin(), result.plans.end(),
                   [](const RankedPlan& plan) { return std::isfinite(plan.region.leak_mm2.mean); });
-  const LineChart chart{
-      "Trade-offs between closure and other objectives",
-      std::string("Numbers are ranks; lower and further left is better.") +
-          (all ? "" : " Plans without closures over the region are omitted."),
-      {trade(plans, "steps of the operation", &Traded::steps),
-       trade(plans, "mean gradient in diastole, mmHg", &Traded::gradient_mmhg),
-       trade(plans, "reserve against progression missing to 12 mm", &Traded::not_lasted_mm)}};
+  const LineChart chart{"Trade-offs between closure and other objectives",
+                        std::string("Numbers are ranks; lower and further left is better.") +
+                            (all ? "" : " Plans without closures over the region are omitted."),
+                        {trade(plans, "steps of the operation", &Traded::steps),
+                         trade(plans, "mean gradient in diastole, mmHg", &Traded::gradient_mmhg),
+                         trade(plans, "shortfall of the reserve against progression from 12 mm, mm",
+                               &Traded::not_lasted_mm)}};
   return chart_html(line_chart_svg(chart),
                     "Each point is a plan. A plan is Pareto-optimal if no other plan is at least "
                     "as good in leak (mean + sd), opening and reserve against progression and "

@@ -17,9 +17,9 @@ std::string stop_sentence(SearchStop stop, bool any_possible) {
     case SearchStop::EvaluationLimit:
       return "The search used all its closures.";
     case SearchStop::Exhausted:
-      return any_possible
-                 ? "No plan was left to try; the weight or the expected cost excluded all others."
-                 : "Rules and diagnosis left no plan to try.";
+      return any_possible ? "No plan was left to try; all others were ruled out by a bound on "
+                            "their cost or by their expected cost."
+                          : "Rules and diagnosis left no plan to try.";
     case SearchStop::NoImprovement:
       return "The search found no better plan within the given number of closures.";
     case SearchStop::TargetReached:
@@ -55,9 +55,9 @@ std::string progress_chart(const SearchResult& result) {
   if (result.progress.empty()) return "";
   const double most = std::max(kShownAtLeast, kShownTimes * result.progress.back().cost);
   const int end = std::max(result.evaluations, result.progress.back().closures);
-  Chart chart{"Score of the best plan so far",
+  Chart chart{"Cost of the best plan so far",
               "closures of the search",
-              "search score (lower is better)",
+              "cost (lower is better)",
               {staircase(result.progress, most, end)},
               true};
   Series random{"random search, expected", {}, {}, true, true};

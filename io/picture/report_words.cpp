@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "core/repair/apply_plan.h"
+#include "core/repair/describe.h"
 #include "core/repair/limits.h"
 #include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
+#include "core/valve/counted.h"
 #include "io/json/plan_json.h"
 #include "io/picture/text.h"
 
@@ -36,9 +38,7 @@ struct Operated {
 };
 
 std::string ring_words(const OwnRing& ring) {
-  return "Annuloplasty ring in the annulus's own shape, " +
-         (ring.sizes_below == 0 ? "not undersized"
-                                : "undersized by " + counted(ring.sizes_below, "size"));
+  return "Annuloplasty ring in the annulus's own shape, " + undersizing_words(ring);
 }
 std::string ring_words(const CatalogueRing& ring) {
   return "Annuloplasty ring, size " + fixed(ring.size_mm, 0) + " mm, shape " + ring.shape;
@@ -46,6 +46,15 @@ std::string ring_words(const CatalogueRing& ring) {
 std::string ring_words(const DesignedRing& ring) {
   return "Annuloplasty ring, size " + fixed(ring.size_mm, 0) + " mm, designed shape " +
          ring.shape.name;
+}
+
+/// Against the ring that a surgeon would call of the true size.
+std::string size_words(const Effort& effort, const Valve& valve) {
+  constexpr double kLeast = 0.05;  // sizes that are printed
+  const std::string true_size = "the true size of " + fixed(true_ring_size_mm(valve), 1) + " mm";
+  return effort.sizes_below < kLeast
+             ? "of " + true_size + " or larger."
+             : fixed(effort.sizes_below, 1) + " sizes of 2 mm below " + true_size + ".";
 }
 
 StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t) {
@@ -58,9 +67,7 @@ StepWords words(const Operated& operated, const Annuloplasty& step, std::size_t)
     told.detail = capitalised(std::string(shape->note)) + ". ";
   told.detail += "Annulus from " + fixed(was.al_pm_mm, 1) + " × " + fixed(was.ap_mm, 1) + " to " +
                  fixed(is.al_pm_mm, 1) + " × " + fixed(is.ap_mm, 1) +
-                 " mm (across × front to back), " + fixed(operated.plan.effort.sizes_below, 1) +
-                 " sizes of 2 mm below the true size of " + fixed(true_ring_size_mm(valve), 1) +
-                 " mm.";
+                 " mm (transverse × anteroposterior), " + size_words(operated.plan.effort, valve);
   return told;
 }
 
@@ -181,7 +188,7 @@ StepWords words(const Operated& operated, const ChordalTransfer&, std::size_t in
 
 std::string in_short(const Annuloplasty& step) {
   if (const auto* own = std::get_if<OwnRing>(&step.ring))
-    return "ring in own shape, undersized by " + counted(own->sizes_below, "size");
+    return "ring in the annulus's own shape, " + undersizing_words(*own);
   const double size_mm = std::holds_alternative<CatalogueRing>(step.ring)
                              ? std::get<CatalogueRing>(step.ring).size_mm
                              : std::get<DesignedRing>(step.ring).size_mm;
@@ -271,12 +278,13 @@ std::string valve_words(const ClosedValve& before) {
   if (openings.size() > kOpeningsTold)
     told += ", " + std::to_string(openings.size() - kOpeningsTold) + " smaller";
   told += std::string(openings.empty() ? "" : ")") + ". Annulus " +
-          fixed(measure.annulus.al_pm_mm, 1) + " mm across, " + fixed(measure.annulus.ap_mm, 1) +
-          " mm front to back; tenting height " + mm(measure.tenting_height_mm) + ".";
+          fixed(measure.annulus.al_pm_mm, 1) + " mm transverse, " +
+          fixed(measure.annulus.ap_mm, 1) + " mm anteroposterior; tenting height " +
+          mm(measure.tenting_height_mm) + ".";
   for (std::size_t i = 0; i < ruptured.size() && i < kNamesTold; ++i)
-    told += (i == 0 ? " Ruptured: " : ", ") + ruptured[i];
+    told += (i == 0 ? " Ruptured chordae: " : ", ") + ruptured[i];
   if (ruptured.size() > kNamesTold)
-    told += " and " + std::to_string(ruptured.size() - kNamesTold) + " more chordae";
+    told += " and " + std::to_string(ruptured.size() - kNamesTold) + " more";
   if (!ruptured.empty()) told += ".";
   return told;
 }

@@ -52,7 +52,7 @@ PageSection ring_table(const RingStudy& study) {
 std::string settings(const ApproximationOptions& options) {
   return "Displacements 0 to 6 mm by " + fixed(options.displacement_step_mm, 0) +
          " mm that leak more than " + fixed(options.least_mm2, 0) +
-         " mm2; regions of interest of " + counted(options.region_points, "node") + ".";
+         " mm2; regions of interest of " + counted(options.region_points, "point") + ".";
 }
 
 PageSection anchors_table(const std::vector<AnchorSummary>& summaries,

@@ -43,8 +43,10 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
     return {Error{ErrorCode::OutOfRange, "/leak_mm2",
                   "is " + shown(*measured.leak_mm2) + " mm2, must be from 0 to 2000 mm2"}};
   if (!trusted(before.closure))
-    return {Error{ErrorCode::BadGeometry, "",
-                  "its leaflets cross when it closes, so distances cannot be measured"}};
+    return {Error{
+        ErrorCode::BadGeometry, "",
+        "the closure of the valve did not converge or its leaflets cross, so distances cannot be "
+        "measured"}};
   std::vector<double> distances = problem.answer_of(before).distances_mm;
   for (double& distance : distances) distance = std::abs(distance);
   const auto middle = distances.begin() + std::ssize(distances) / 2;
@@ -102,7 +104,7 @@ std::vector<std::string> doubts_of(const ValveFit& fit) {
   if (fit.rms_mm > kFarRms_mm)
     doubts.push_back(
         "the fitted valve does not match the surface: " + with_decimals(fit.rms_mm, 2) +
-        " mm rms exceed " + with_decimals(kFarRms_mm, 0) + " mm");
+        " mm rms exceeds " + with_decimals(kFarRms_mm, 0) + " mm");
   if (fit.rms_mm > kNearRms_mm &&
       fit.independent_points < static_cast<double>(fit.parameters.size()))
     doubts.push_back(

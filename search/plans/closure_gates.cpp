@@ -13,7 +13,7 @@ namespace {
 constexpr double kTensionRise = 3.0;     // neochordae 5 % too short: no leak, three times the force
 constexpr double kTensionFloor_n = 0.2;  // below it a rise means nothing
 constexpr const char* kGrading = "echocardiographic grading";
-constexpr const char* kValidity = "validity of the simulation";
+constexpr const char* kValidity = "validity of the closure";
 
 Gate convergence(const Evaluation& repaired) {
   if (repaired.status == ClosureStatus::Converged && std::isfinite(repaired.measure.leak.area_mm2))
@@ -91,22 +91,23 @@ Gate systolic_anterior_motion(const Evaluation& repaired, const Evaluation& befo
   if (tethered)
     return {kRule, GateSeverity::NotAssessed,
             figure +
-                ", a sign of degenerative valves; these leaflets are tethered, which draws "
-                "them away from the septum",
+                ", which predicts SAM in degenerative valves only; these leaflets are tethered, "
+                "which draws them away from the septum",
             kSource};
-  return {kRule, raised ? GateSeverity::Warn : GateSeverity::Pass,
-          figure + ", " + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
-              (low && !raised
-                   ? ", but not lower than before the repair (" + with_decimals(usual, 1) + ")"
-                   : "") +
-              ". The septal distance (risk below 25 mm) cannot be assessed",
-          kSource};
+  return {
+      kRule, raised ? GateSeverity::Warn : GateSeverity::Pass,
+      figure + ", " + (low ? "below " : "not below ") + shown(kLowLeafletRatio) +
+          (low && !raised
+               ? ", but not lower than before the repair (" + with_decimals(usual, 1) + ")"
+               : "") +
+          ". The distance from coaptation to septum (C-sept; risk below 25 mm) cannot be assessed",
+      kSource};
 }
 
 Gate regurgitation_grade(const ValveMeasure& measure) {
   return {"regurgitation_grade", GateSeverity::NotAssessed,
           "the leak of " + with_decimals(measure.leak.area_mm2, 1) +
-              " mm2 is an anatomic area; regurgitation is graded by the effective orifice area",
+              " mm² is an anatomic area; regurgitation is graded by the effective orifice area",
           kGrading};
 }
 

@@ -92,6 +92,12 @@ Gate ring_stenosis(const SurgicalOperation& operation) {
   return or_none(rule, "no ring");
 }
 
+std::string ring_words(const Annuloplasty& step) {
+  if (std::holds_alternative<OwnRing>(step.ring)) return "the ring in the annulus's own shape";
+  return (std::holds_alternative<DesignedRing>(step.ring) ? "the designed ring " : "the ring ") +
+         shape_of(step);
+}
+
 Gate undersizing(const SurgicalOperation& operation) {
   Gate rule = gate("undersizing");
   for (const Annuloplasty& ring : steps_of<Annuloplasty>(operation.plan)) {
@@ -99,15 +105,16 @@ Gate undersizing(const SurgicalOperation& operation) {
     constexpr double kLeast = 0.05;  // sizes that are printed
     const std::string true_size = mm(true_ring_size_mm(operation.valve)) + " (by area); ";
     const std::string figure =
-        "the " + shape_of(ring) + " ring is " +
+        ring_words(ring) + " is " +
         (sizes < kLeast ? "of the true size or larger, which is " + true_size
                         : with_decimals(sizes, 1) + " sizes below the true size of " + true_size);
     if (sizes > kMostSizesBelow + kGateRounding)
-      tell(rule, GateSeverity::Reject,
-           figure + "more than " + shown(kMostSizesBelow) + " are not used in practice");
+      tell(
+          rule, GateSeverity::Reject,
+          figure + "more than " + shown(kMostSizesBelow) + " sizes below are not used in practice");
     else
       tell(rule, GateSeverity::Pass,
-           figure + "up to " + shown(kMostSizesBelow) + " are used in practice");
+           figure + "up to " + shown(kMostSizesBelow) + " sizes below are used in practice");
   }
   return or_none(rule, "no ring");
 }
@@ -117,7 +124,7 @@ Gate papillary_movement(const SurgicalOperation& operation) {
   const Effort asked = effort(operation.valve, operation.repaired, operation.plan);
   const auto about = [&rule](double movement, Side side) {
     const std::string figure =
-        "the " + std::string(to_string(side)) + " papillary muscle is displaced by " + mm(movement);
+        "the " + std::string(to_string(side)) + " papillary muscle is relocated by " + mm(movement);
     if (movement > kRejectedMovement_mm + kGateRounding)
       tell(rule, GateSeverity::Reject,
            figure + "; more than " + shown(kRejectedMovement_mm) + " mm is not done in practice");
@@ -129,7 +136,7 @@ Gate papillary_movement(const SurgicalOperation& operation) {
   };
   about(asked.anterolateral_movement_mm, Side::Anterolateral);
   about(asked.posteromedial_movement_mm, Side::Posteromedial);
-  return or_none(rule, "no papillary muscle is displaced");
+  return or_none(rule, "no papillary muscle is relocated");
 }
 
 /// apply_plan() refuses what this rule forbids.
@@ -138,8 +145,8 @@ Gate suture_length(const SurgicalOperation& operation) {
   for (const auto& suture : steps_of<PapillaryApproximation>(operation.plan))
     tell(rule, GateSeverity::Pass,
          "the " + std::string(to_string(suture.side)) + " suture of " +
-             mm(suture.suture_length_mm) + " is not shorter than " + shown(kSutureMm.min) +
-             " mm or half the previous distance");
+             mm(suture.suture_length_mm) + " is shorter neither than " + shown(kSutureMm.min) +
+             " mm nor than half the distance before the repair");
   return or_none(rule, "no papillary suture");
 }
 

@@ -55,16 +55,16 @@ std::vector<Gate> opening_gates(const std::optional<PlanOpening>& opening) {
     return {area, gradient};
   }
   const double mm2 = opening->measure.opening_area_mm2, mmhg = opening->measure.gradient_mmhg;
-  const std::string figure = "the opening area is " + with_decimals(0.01 * mm2, 1) + " cm2";
+  const std::string figure = "the opening area is " + with_decimals(0.01 * mm2, 1) + " cm²";
   if (mm2 < kStenosis_mm2) {
     area.severity = GateSeverity::Reject;
-    area.finding = figure + "; less than 1.5 cm2 is not accepted in practice";
+    area.finding = figure + "; less than 1.5 cm² is not accepted in practice";
   } else if (mm2 < kNarrow_mm2) {
     area.severity = GateSeverity::Warn;
-    area.finding = figure + "; less than 2.0 cm2 calls for caution";
+    area.finding = figure + "; less than 2.0 cm² calls for caution";
   } else {
     area.severity = GateSeverity::Pass;
-    area.finding = figure + ", at least 2.0 cm2";
+    area.finding = figure + ", at least 2.0 cm²";
   }
   gradient.severity = mmhg > kStenosis_mmhg ? GateSeverity::Warn : GateSeverity::Pass;
   gradient.finding = "the mean gradient at rest is " + gradient_words(mmhg);

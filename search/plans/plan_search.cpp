@@ -220,8 +220,11 @@ Expected<SearchResult> search_plans(const Valve& valve, const SearchOptions& opt
   result.progress = exploration.progress;
   result.random_progress = random_progress(exploration);
   result.ladder = ladder_of(exploration);
-  for (const auto& [rule, count] : evaluations.rejections())
-    result.cut.push_back({counted(count, "plan"), "rejected by rule " + rule});
+  for (const auto& [rule, count] : evaluations.rejections()) {
+    std::string words = rule;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    result.cut.push_back({counted(count, "plan"), "rejected by the rule " + words});
+  }
   result.branches = static_cast<int>(space.branches().size());
   for (const Branch& branch : space.branches()) result.plans_possible += point_count(branch);
 

@@ -208,7 +208,7 @@ void warn_of_fine(const FineMesh& mesh, RankedPlan& plan) {
   plan.warnings.push_back(!trusted(*plan.fine)
                               ? there + "its closure did not converge or its leaflets cross"
                               : there + "it leaks " + with_decimals(plan.fine->leak_mm2, 1) +
-                                    " mm2, so the plan is not acceptable");
+                                    " mm², so the plan is not acceptable");
 }
 
 /// @param durable the durability of all is known, and counts
@@ -247,8 +247,8 @@ RankedPlan ranked(PlanEvaluations& evaluations, const PlanRecord& record, int no
   plan.warnings = warnings_of(plan.gates);
   if (record.opening && record.opening->two_orifices) plan.warnings.push_back(kUnknownOpening);
   if (!record.plan.steps.empty() && plan.region.leak_mm2.worst > kMildLeak_mm2)
-    plan.warnings.push_back("leaks more than " + shown(kMildLeak_mm2) +
-                            " mm2 at some point of the region of interest");
+    plan.warnings.push_back("the plan leaks more than " + shown(kMildLeak_mm2) +
+                            " mm² with some error of execution");
   if (nodes > 1 && plan.region.failures > 0)
     plan.warnings.push_back(
         std::to_string(plan.region.failures) + " of " + std::to_string(nodes) +

@@ -35,12 +35,12 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      &SearchOptions::region_points,
      {1.0, 1089.0},
      "",
-     "Number of nodes of the region of interest at which the first plan is closed; other ranked "
+     "Number of points of the region of interest at which the first plan is closed; other ranked "
      "plans are closed at up to 65. In an evaluation it applies to every plan."},
     {"evidence", &SearchOptions::evidence, kAny, "",
      "Also close the reported plans with errors of single sutures and with further remodelling."},
     {"openings", &SearchOptions::openings, kAny, "",
-     "Also open plans in diastole, once they are closed at more than one node, to measure opening "
+     "Also open plans in diastole, once they are closed at more than one point, to measure opening "
      "area and mean gradient."},
     {"fine_levels",
      &SearchOptions::fine_levels,
@@ -71,7 +71,7 @@ constexpr OptionRow<SearchOptions> kOptions[] = {
      &SearchOptions::target_mm2,
      {-1.0, kMost},
      " mm2",
-     "Stop the search once the leak of a plan (mean + sd over 17 nodes) is at or below this value "
+     "Stop the search once the leak of a plan (mean + sd over 17 points) is at or below this value "
      "(-1: never)."},
 };
 
@@ -82,7 +82,7 @@ constexpr OptionRow<SearchRules> kRules[] = {
      "",
      "Maximum number of neochordae in a plan."},
     {"own_ring", &SearchRules::own_ring, kAny, "",
-     "Offer rings of the valve's own shape, which no manufacturer sells."},
+     "Offer rings in the annulus's own shape, which no manufacturer sells."},
     {"chordal_length_change", &SearchRules::chordal_length_change, kAny, "",
      "Allow shortening of the marginal chordae beside a lesion."},
     {"chordal_excision", &SearchRules::chordal_excision, kAny, "",
@@ -107,7 +107,7 @@ constexpr OptionRow<SearchRules> kRules[] = {
      &SearchRules::most_movement_mm,
      {3.0, 15.0},
      " mm",
-     "Maximum displacement of a papillary muscle; more than 10 is unusual."},
+     "Maximum relocation of a papillary muscle; more than 10 mm is unusual."},
 };
 
 constexpr OptionRow<CostWeights> kWeights[] = {
@@ -115,18 +115,17 @@ constexpr OptionRow<CostWeights> kWeights[] = {
     {"sd_share", &CostWeights::sd_share, kPrice, "",
      "Number of standard deviations added to the mean leak."},
     {"incompetence", &CostWeights::incompetence, kPrice, "",
-     "Additional cost per mm2 of that leak above 1."},
+     "Additional cost per mm2 of that leak above 1 mm2."},
     {"margin", &CostWeights::margin, kPrice, "",
      "Cost of a plan that leaks at the smallest disturbance; zero if no disturbance makes it "
      "leak."},
     {"coaptation", &CostWeights::coaptation, kPrice, "",
-     "Cost per mm of coaptation height of A2 with P2 below 8."},
+     "Cost per mm of coaptation height of A2 with P2 below 8 mm."},
     {"gap", &CostWeights::gap, kPrice, "",
      "Cost per mm by which the gap between the leaflets exceeds their thickness."},
-    {"movement", &CostWeights::movement, kPrice, "",
-     "Cost per mm of papillary muscle displacement."},
+    {"movement", &CostWeights::movement, kPrice, "", "Cost per mm of papillary muscle relocation."},
     {"movement_above_10", &CostWeights::movement_above_10, kPrice, "",
-     "Additional cost per mm of displacement above 10."},
+     "Additional cost per mm of relocation above 10 mm."},
     {"undersizing", &CostWeights::undersizing, kPrice, "", "Cost per ring size of undersizing."},
     {"undersizing_above_4", &CostWeights::undersizing_above_4, kPrice, "",
      "Additional cost per size of undersizing above 4."},
@@ -134,11 +133,12 @@ constexpr OptionRow<CostWeights> kWeights[] = {
     {"tension", &CostWeights::tension, kPrice, "",
      "Cost per newton by which the highest chordal tension exceeds that of the unrepaired valve."},
     {"gradient_above_3", &CostWeights::gradient_above_3, kPrice, "",
-     "Cost per mmHg of mean diastolic gradient above 3."},
+     "Cost per mmHg of mean diastolic gradient above 3 mmHg."},
     {"gradient_above_5", &CostWeights::gradient_above_5, kPrice, "",
-     "Additional cost per mmHg of gradient above 5."},
+     "Additional cost per mmHg of gradient above 5 mmHg."},
     {"durability", &CostWeights::durability, kPrice, "",
-     "Cost per mm by which the reserve against progression of a reported plan falls short of 12."},
+     "Cost per mm by which the reserve against progression of a reported plan falls short of 12 "
+     "mm."},
     {"untrusted", &CostWeights::untrusted, kPrice, "",
      "Cost of closures that failed to converge or crossed, times their fraction."},
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 
 namespace coapt {
@@ -33,15 +34,17 @@ Gate neochorda_strength(const PlanRecord& plan) {
   }
   if (trusted_closures == 0)
     return {kRule, GateSeverity::NotAssessed, "no closure is reliable", kKnots};
-  const std::string of = " of " + std::to_string(trusted_closures) +
-                         " closures, including disturbed ones; knots may unravel above " +
-                         shown(kKnotHolds_n) + " N";
+  const std::string closures = counted(trusted_closures, "closure") + ", including disturbed ones";
+  const std::string knots = "; knots may unravel above " + shown(kKnotHolds_n) + " N";
   if (above == 0)
     return {kRule, GateSeverity::Pass,
-            "the highest chordal tension is " + with_decimals(peak, 1) + " N in any" + of, kKnots};
+            "the highest chordal tension in " + closures + ", is " + with_decimals(peak, 1) + " N" +
+                knots,
+            kKnots};
   return {kRule, GateSeverity::Warn,
           "chordal tension exceeds " + shown(kKnotHolds_n) + " N, with a maximum of " +
-              with_decimals(peak, 1) + " N, in " + std::to_string(above) + of,
+              with_decimals(peak, 1) + " N, in " + std::to_string(above) + " of " + closures +
+              knots,
           kKnots};
 }
 

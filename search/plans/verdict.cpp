@@ -58,8 +58,8 @@ std::string choice_of(const std::vector<RankedPlan>& plans) {
     left -= plan.times_first;
   }
   if (left > 0)
-    others += (others.empty() ? "a plan that is not listed in " : ", one that is not listed in ") +
-              std::to_string(left);
+    others +=
+        (others.empty() ? "unlisted plans in " : ", unlisted plans in ") + std::to_string(left);
   return " The order depends on thresholds that are not known from measurements: plan 1 ranks "
          "first in " +
          std::to_string(first) + " of " + std::to_string(settings) + " settings, " + others + ".";
@@ -85,13 +85,14 @@ std::string why_not_acceptable(const RankedPlan& plan) {
   if (plan.tier == PlanTier::Untrusted) return "its closure failed";
   if (plan.tier == PlanTier::FailsOften) return "too many closures with errors of execution failed";
   if (plan.tier == PlanTier::Stenotic) return "it opens to less than 1.5 cm²";
-  if (plan.acceptable_probability < kAcceptable) return "it " + how_likely(plan);
+  if (plan.acceptable_probability < kAcceptable)
+    return "it " + how_likely(plan) + ", below the " + shown(100.0 * kAcceptable) + " % required";
   if (plan.opening && trusted(*plan.opening) &&
       plan.opening->measure.gradient_mmhg > kStenosis_mmhg)
     return "its mean gradient at rest is " + gradient_words(plan.opening->measure.gradient_mmhg);
   if (plan.fine && plan.fine_levels > 0 && !closes_finely(plan))
     return "on the finer mesh it leaks " + with_decimals(plan.fine->leak_mm2, 1) + " mm²";
-  return "it was not closed in every way that is asked for";
+  return "it was not closed on the finer mesh or with all errors that were requested";
 }
 
 std::string verdict_of(const std::vector<RankedPlan>& plans) {

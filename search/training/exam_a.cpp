@@ -92,10 +92,9 @@ Expected<ExamACase> make_exam_a(const Valve& valve, std::uint64_t seed, const Ex
       found.push_back(*std::move(choice));
   if (found.size() < kChoices)
     return Error{ErrorCode::Unsupported, "",
-                 "of " + std::to_string(made.draws) + " valves with lesions " +
-                     std::to_string(found.size()) +
-                     " look alike without pressure and differ when closed; a case needs 4, so try "
-                     "another seed or valve"};
+                 "only " + std::to_string(found.size()) + " of " + std::to_string(made.draws) +
+                     " valves with lesions could be used: a case needs 4 that look alike without "
+                     "pressure and differ when closed; try another seed or valve"};
   // Fisher and Yates.
   for (std::size_t i = kChoices - 1; i > 0; --i)
     std::swap(found[i], found[std::min(i, static_cast<std::size_t>(random_share(engine) *

@@ -117,7 +117,7 @@ inline RankedPlan first() {
   plan.region.independent_leak_mm2 = {0.3, 0.36, 0.4, 1.1, 3.2, 1.0, 1.0, 1.0};
   plan.gates = gates(11.5);
   plan.warnings = warnings_of(plan.gates);
-  plan.warnings.push_back("leaks more than 5 mm2 at some point of the region of interest");
+  plan.warnings.push_back("the plan leaks more than 5 mm² with some error of execution");
   plan.fine_levels = 1;
   plan.fine = PlanClosure{ClosureStatus::Converged, false, 0.4, 6.1, 0.92, 0.63};
   plan.fine_cost_change = 1.5;

@@ -127,11 +127,12 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   doubtful.not_ruled_out = CarpentierType::IIIb;
   doubtful.ap_mm = 33.0;
   doubtful.transverse_mm = 36.0;
-  EXPECT_EQ(
-      sentence_of(doubtful),
-      "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for the "
-      "leaflets: 33 x 36 mm, a ratio of 0.92 instead of 0.75 (Carpentier type I). Type IIIb is not "
-      "ruled out. The leak is too close to 5 mm² to tell whether the valve is competent.");
+  EXPECT_EQ(sentence_of(doubtful),
+            "The valve leaks 6.0 ± 2.0 mm², probably because the annulus is too wide for the "
+            "leaflets: its diameters are 33 mm (anteroposterior) and 36 mm (transverse), a ratio "
+            "of 0.92, "
+            "where 0.75 is normal (Carpentier type I). Carpentier type IIIb is not ruled out. The "
+            "leak is too close to 5 mm² to tell whether the valve is competent.");
   EXPECT_EQ(
       summary_of(doubtful),
       "It leaks, probably because the annulus is too wide for the leaflets (Carpentier type I). "

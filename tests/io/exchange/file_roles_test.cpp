@@ -131,7 +131,7 @@ TEST(FileRoles, ACommissureIsAFileOfThePosteriorLeaflet) {
                                                      {"posterior.stl", ""},
                                                      {"PM commissure.stl", ""}});
   ASSERT_TRUE(sorted) << sorted.errors()[0].message;
-  EXPECT_EQ(sorted->files.order.called[1], "files 1, 3, 4");
+  EXPECT_EQ(sorted->files.order.called[1], "the union of files 1, 3, 4");
   EXPECT_EQ(roles_of({{"AL_commissure.csv", "x,y\n"}}), (std::vector{FileRole::None})) << "a place";
 }
 
@@ -141,7 +141,7 @@ TEST(FileRoles, ScallopsAreFilesOfOneLeaflet) {
   ASSERT_TRUE(sorted);
   EXPECT_EQ(sorted->files.leaflets.size(), 4U);
   EXPECT_EQ(sorted->files.posterior_from, 1U);
-  EXPECT_EQ(sorted->files.order.called[1], "files 1, 3, 4");
+  EXPECT_EQ(sorted->files.order.called[1], "the union of files 1, 3, 4");
   EXPECT_FALSE(sorted_files({{"anterior.stl", ""}, {"anterior2.stl", ""}, {"anterior.ply", ""}}));
 }
 

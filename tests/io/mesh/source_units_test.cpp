@@ -149,7 +149,7 @@ TEST(SourceUnits, TablesOfAnotherUnitBecomeThatOfTheLeaflets) {
   const auto told = take_part_units(source, LengthUnit::Millimetre);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(sentence(told[0]),
-            "units: chordae cm, converted to mm; stated by the names of the columns");
+            "units: chordae in cm, converted to mm; stated by the names of the columns");
   EXPECT_TRUE(source.chordae[0].tip_mm.isApprox(reference.chordae[0].tip_mm));
   EXPECT_TRUE(source.chordae[0].insertion_mm.isApprox(reference.chordae[0].insertion_mm));
 }

@@ -37,7 +37,7 @@ TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
   for (const char* part :
        {"<dd>0.3 mm²<small>before 52.0",
         "<dd>0.4 ± 0.5 mm²<small>± sd; 95th percentile 1.4, worst 5.6",
-        "<dd>99.2 %<small>of 1,089 errors of execution", "<dd>0.75 mm · 4.0°<small>",
+        "<dd>99.2 %<small>of 1,089 closures", "<dd>0.75 mm · 4.0°<small>",
         "<dd>6.8 mm<small>minimum 4.8; before 2.6", "<dd>0.61 N<small>before 0.48 N",
         "<dd>2.1 sizes<small>", "<dd>4.6 / 11.5 mm<small>"})
     EXPECT_TRUE(contains(page, part)) << part;
@@ -46,7 +46,7 @@ TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
 TEST(FirstPage, SaysWhatToWatchAndWhatIsNotAssessed) {
   const std::string page = first_sheet(page_of(search_result()));
   EXPECT_TRUE(contains(page, "posteromedial muscle moved by 11 mm; more than 10 mm is unusual"));
-  EXPECT_TRUE(contains(page, "leaks more than 5 mm2 at some point of the region of interest"));
+  EXPECT_TRUE(contains(page, "the plan leaks more than 5 mm² with some error of execution"));
   EXPECT_TRUE(contains(page, "Not assessed: filling."));
 }
 
@@ -67,11 +67,11 @@ TEST(FirstPage, StatesTheWidestErrorThatIsKnownOfTheLeak) {
   leak.numerical = Interval{0.0, 1.2};
   result.before_estimates.leak_mm2.numerical = Interval{48.0, 56.0};
   EXPECT_TRUE(contains(first_sheet(page_of(result)),
-                       "<dd>0.3 ± 0.9 mm²<small>± numerical error; before 52 ± 4<"));
+                       "<dd>0.3 ± 0.9 mm²<small>± numerical error; before 52 ± 4 mm²<"));
   leak.tissue = Interval{0.1, 7.5};
   EXPECT_TRUE(contains(first_sheet(page_of(result)),
                        "<dd>0 (0 to 8) mm²<small>with tissue error (5 to 95 %); "
-                       "before 52 ± 4, ± numerical error<"));
+                       "before 52 ± 4 mm², ± numerical error<"));
   EXPECT_FALSE(contains(first_sheet(page_of(result)), "tissue, ring placement"));
   result.plans[0].model.reset();
   EXPECT_TRUE(contains(first_sheet(page_of(result)), "Other errors (imaging, tissue, ring"));
@@ -87,7 +87,7 @@ TEST(FirstPage, SaysWhenTheSearchWasStoppedEarly) {
 
 TEST(FirstPage, OfAPlanWhoseClosureFailedTrustsNoFigure) {
   const std::string page = first_sheet(page_of(search_result(), 3));
-  EXPECT_TRUE(contains(page, "The simulation of this plan failed"));
+  EXPECT_TRUE(contains(page, "The closure of this plan failed"));
   EXPECT_FALSE(contains(page, "leaks less than 5 mm² with a probability"));
   EXPECT_TRUE(contains(page, "n/a"));
 }
@@ -193,7 +193,7 @@ TEST(Report, OfNothingButUnknownFiguresSaysSo) {
   const std::string text = without_pictures(html);
   for (const char* broken : {">nan", "nan ", "=\"nan", "inf ", "NaN"})
     EXPECT_FALSE(contains(text, broken)) << broken;
-  EXPECT_TRUE(contains(html, "The simulation of this plan failed"));
+  EXPECT_TRUE(contains(html, "The closure of this plan failed"));
   EXPECT_TRUE(contains(html, "No plan is acceptable"));
 }
 

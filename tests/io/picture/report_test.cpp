@@ -71,7 +71,7 @@ TEST(Report, TheTableHasTheFiguresTiesAndMarksOfEveryPlan) {
     EXPECT_TRUE(contains(table, cell)) << cell;
   EXPECT_EQ(count(table, ">Pareto</span>"), 2u);
   EXPECT_TRUE(contains(table, "own/suture.json"));
-  EXPECT_TRUE(contains(table, "closure: step_limit"));
+  EXPECT_TRUE(contains(table, "the closure did not converge"));
   EXPECT_TRUE(contains(table, "leaflets cross"));
   EXPECT_TRUE(contains(table, "Trade-offs between closure and other objectives"));
   EXPECT_TRUE(contains(table, "Plans without closures over the region are omitted."));

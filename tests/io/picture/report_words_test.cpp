@@ -130,7 +130,8 @@ TEST(ShortWords, NameEveryKindOfStep) {
       LeafletResection{}};
   EXPECT_EQ(
       short_words(plan),
-      "ring in own shape, undersized by 1 size + ring generic-classic 30 + AL muscle to "
+      "ring in the annulus's own shape, undersized by 1 size + ring generic-classic 30 + AL muscle "
+      "to "
       "trigone, 21.5 mm + "
       "neochorda AL1 to posterior leaflet, 20.0 mm + c1 shortened + c2 cut + c3 transferred + "
       "edge-to-edge stitch, 5.0 mm + triangular resection of the posterior leaflet, 10.0 mm");
@@ -156,8 +157,8 @@ TEST(ValveWords, SayWhereItLeaksAndWhatIsRuptured) {
           "smaller)"),
       std::string::npos)
       << words;
-  EXPECT_NE(words.find("Annulus 36.0 mm across, 28.0 mm front to back"), std::string::npos);
-  EXPECT_NE(words.find(" Ruptured: PM1-A2-strut-1."), std::string::npos);
+  EXPECT_NE(words.find("Annulus 36.0 mm transverse, 28.0 mm anteroposterior"), std::string::npos);
+  EXPECT_NE(words.find(" Ruptured chordae: PM1-A2-strut-1."), std::string::npos);
 }
 
 TEST(ValveWords, OfAClosureThatFlewApartSayThatNothingIsKnown) {

@@ -96,7 +96,7 @@ TEST(Gates, MoreThanFourSizesBelowTheTrueOneIsRejectedByArea) {
 
 TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "papillary_movement",
-              GateSeverity::Pass, "anterolateral papillary muscle is displaced by 8.6 mm");
+              GateSeverity::Pass, "anterolateral papillary muscle is relocated by 8.6 mm");
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 17.0)), "papillary_movement",
               GateSeverity::Warn, "11.6 mm");
   Valve deep = fitting_valve();

@@ -21,7 +21,8 @@ TEST(StrengthGates, ANeochordaThatBearsMoreThanKnotsDoIsWarnedOf) {
   ASSERT_EQ(holds.size(), 2u);
   EXPECT_EQ(holds[0].rule, "neochorda_strength");
   EXPECT_EQ(holds[0].severity, GateSeverity::Pass);
-  EXPECT_NE(holds[0].finding.find("2.9 N in any of 2 closures"), std::string::npos)
+  EXPECT_NE(holds[0].finding.find("in 2 closures, including disturbed ones, is 2.9 N"),
+            std::string::npos)
       << holds[0].finding << ": a closure that failed says nothing";
   const std::vector<Gate> gives = strength_gates(pulled_by(kNeochorda, 3.5));
   EXPECT_EQ(gives[0].severity, GateSeverity::Warn);

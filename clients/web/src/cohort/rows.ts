@@ -40,7 +40,7 @@ export const COLUMNS: readonly Column[] = [
     order: ({ plan }) => plan && planWords(plan),
   },
   {
-    title: 'Probability that it holds',
+    title: 'Probability of a leak below 5 mm²',
     numeric: true,
     ofPlans: true,
     words: ({ plan }) => (plan ? percent(plan.acceptable_probability) : ''),

@@ -239,7 +239,7 @@ export class CohortView implements View {
     this.said.textContent = `${counted(rows.length, 'valve')}, ${closed.length} closed; ${leaking.length} of them ${leaking.length === 1 ? 'leaks' : 'leak'}.`
     const left = this.toSearch().length
     this.search.disabled = left === 0
-    this.search.title = `Search for plans for ${counted(left, 'leaking valve')} in this list without any.`
+    this.search.title = `Search for plans for ${counted(left, 'leaking valve')} without a plan.`
   }
 
   /// Of three the one that was ticked first is left out.

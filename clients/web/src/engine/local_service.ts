@@ -49,7 +49,7 @@ export function localService({ engine, scoring, jobs, file, valves }: LocalParts
         return ask(path, asText(body), signal)
     }
     if (method === 'POST' && [...COMPUTED, SCORED, SEARCHED].includes(path)) return compute(path, asText(body), signal)
-    return jobs.answer(method, path) ?? problem(501, 'needs coapt-server')
+    return jobs.answer(method, path) ?? problem(501, 'this request requires coapt-server')
   }
 
   async function ask(path: string, body: string, signal?: AbortSignal): Promise<Response> {

@@ -19,11 +19,11 @@ export const GLOSSARY = {
   error:
     'The error of the area due to mesh size and the stopping criterion of the closure; in nine of ten test valves the error was smaller. It grows with the area and does not include errors of tissue, imaging and pressure.',
   certainty:
-    'How much time the leak is worth. Quick: the mesh as shown. Sure: also a mesh of four times as many triangles. Proof: finer and finer meshes, until the leak changes by less than 0.5 mm² or 5 %, or the next mesh is too large. In nine of ten test valves the error was smaller than the one stated here; it does not include errors of tissue, imaging and pressure.',
+    'Effort spent on the mesh error of the leak. Quick: the mesh as shown. Sure: also a mesh of four times as many triangles. Proof: finer and finer meshes, until the leak changes by less than 0.5 mm² or 5 %, or the next mesh is too large. In nine of ten test valves the error was smaller than the one stated here; it does not include errors of tissue, imaging and pressure.',
   tissue:
     'The valve was closed in many variants of tissue and chordae within the ranges of their sources, weighted by the observations of this valve. The leak lies between the two areas in nine of ten variants.',
   margin: 'The smallest error in placing a suture or a ring that makes the valve leak more than 1 mm².',
-  cost: 'The objective of the search, in mm² of leak; the sliders rank plans by it. It adds to the leak and its spread a weight, in mm² of leak, for each step, undersizing, papillary displacement, low coaptation, high chordal tension, a diastolic gradient above 3 mmHg and a small reserve against progression; the planned closure is that on the finer mesh. The weights are judgements, not measurements; see “Weights of the cost”.',
+  cost: 'The objective of the search, in mm² of leak; the sliders rank plans by it. It adds to the leak and its spread a weight, in mm² of leak, for each step, undersizing, papillary relocation, low coaptation, high chordal tension, a diastolic gradient above 3 mmHg and a small reserve against progression; the planned closure is that on the finer mesh. The weights are judgements, not measurements; see “Weights of the cost”.',
   durability:
     'How far the posteromedial papillary muscle can be displaced by progressing disease before the leak exceeds 5 mm²: the mean over eight simulated courses of up to 12 mm.',
   region:

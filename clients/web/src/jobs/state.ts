@@ -1,6 +1,7 @@
 // A job's state in words.
 import type { Job, JobState } from '../api/types'
 import { h } from '../dom'
+import { counted } from '../format'
 import parts from '../style/parts.module.css'
 
 const WORDS: Record<JobState, [words: string, tone: string]> = {
@@ -20,6 +21,6 @@ export function stateBadge(state: JobState): HTMLElement {
 export function standing(job: Job): string {
   if (job.waiting_for) return `Paused: ${job.waiting_for}. The job resumes automatically.`
   if (job.state === 'QUEUED')
-    return job.queue_position ? `Waiting: ${job.queue_position} jobs ahead.` : 'Waiting in the queue.'
+    return job.queue_position ? `Waiting: ${counted(job.queue_position, 'job')} ahead.` : 'Waiting in the queue.'
   return job.cancel_requested ? 'Stopping soon with the best result so far.' : ''
 }

@@ -4,7 +4,16 @@ import type { LeafletPoint, Plan, Rings, Scene, Step, Vector } from '../api/type
 import { at, closedNodes, distance, minus, onFace, unit } from '../viewer/geometry'
 import type { Drag, Handle } from '../viewer/handles'
 import { aroundOf } from './errors'
-import { type Approximation, anchorPoint, placeWords, reachable, sutureRange, within, type Anatomy } from './steps'
+import {
+  type Approximation,
+  anchorPoint,
+  placeWords,
+  reachable,
+  sutureRange,
+  undersizing,
+  within,
+  type Anatomy,
+} from './steps'
 
 type Ring = Extract<Step, { step: 'annuloplasty' }>
 type Neochorda = Extract<Step, { step: 'neochorda' }>
@@ -63,7 +72,7 @@ function ringHandle(step: Ring, scene: Scene, sizes_mm: Range): Unkeyed {
     ring.step !== 'annuloplasty'
       ? ''
       : 'sizes_below' in ring
-        ? `${ring.sizes_below} sizes below`
+        ? undersizing(ring.sizes_below)
         : `size ${ring.size_mm} mm`
   const value =
     'sizes_below' in step

@@ -3,7 +3,7 @@ import { report } from '../api/calls'
 import { ApiError } from '../api/http'
 import type { RankedPlan } from '../api/types'
 import { button, download, filePicker, h } from '../dom'
-import { number, percent, withUnit } from '../format'
+import { counted, number, percent, withUnit } from '../format'
 import { iconButton } from '../icons'
 import { HAS_SERVICE } from '../mode'
 import { problemList } from '../problems'
@@ -160,7 +160,7 @@ export class KeptPlans {
         await this.workspace.keep(name ?? chosen.name, plan, source)
       }
       this.problems.replaceChildren()
-      this.said.textContent = `${found.length} loaded from ${chosen.name}.`
+      this.said.textContent = `${counted(found.length, 'plan')} loaded from ${chosen.name}.`
     } catch (error) {
       const isRefused = error instanceof ApiError
       this.said.textContent = isRefused

@@ -1,5 +1,6 @@
 // Steps of a repair plan: what they are called, what a new one is, what may be set of them.
 import type { LeafletPoint, Scene, Side, Step, Vector } from '../api/types'
+import { counted } from '../format'
 import { annulusPoint, at, distance, leafletPlace, papillaryTip } from '../viewer/geometry'
 
 export const SIDES: readonly (readonly [Side, string])[] = [
@@ -68,12 +69,16 @@ export function ringName(step: Exclude<Annuloplasty, { shape: 'own' }>): string 
   return step.shape === 'designed' ? `${step.ring.name} (designed)` : step.shape
 }
 
+/// Of a ring in the annulus's own shape.
+export const undersizing = (sizes: number): string =>
+  sizes === 0 ? 'not undersized' : `undersized by ${counted(sizes, 'size')}`
+
 /// In surgical words.
 export function describe(step: Step): string {
   switch (step.step) {
     case 'annuloplasty':
       return 'sizes_below' in step
-        ? `Ring in the annulus's own shape, undersized by ${step.sizes_below} sizes`
+        ? `Ring in the annulus's own shape, ${undersizing(step.sizes_below)}`
         : `Ring ${ringName(step)}, size ${step.size_mm} mm`
     case 'papillary_approximation':
       return `${step.side === 'anterolateral' ? 'Anterolateral' : 'Posteromedial'} papillary muscle to ${anchorWords(step)}, suture ${step.suture_length_mm.toFixed(1)} mm`

@@ -1,7 +1,7 @@
 // One ranked plan: what is done, what it leaves, how sure that is.
 import type { Job, RankedPlan } from '../api/types'
 import { button, h, type Child } from '../dom'
-import { typeset, withError, withUnit } from '../format'
+import { joined, typeset, withError, withUnit } from '../format'
 import { term } from '../help/term'
 import { HAS_SERVICE } from '../mode'
 import { openValveOf, valveOf } from '../jobs/valves'
@@ -122,9 +122,7 @@ function badges(plan: RankedPlan): HTMLElement[] {
     isAcceptable(plan) ? badge('good', '✓ ', term('acceptable', 'acceptable')) : badge('warn', '! not acceptable'),
     ...(plan.tie_with_next ? [badge('soft', '= equivalent to the next')] : []),
     ...(plan.pareto ? [badge('soft', term('pareto', 'Pareto'))] : []),
-    ...(plan.beaten_by
-      ? [badge('soft', `plan ${plan.beaten_by.rank} is better in ${plan.beaten_by.in.join(' and ')}`)]
-      : []),
+    ...(plan.beaten_by ? [badge('soft', `plan ${plan.beaten_by.rank} is better in ${joined(plan.beaten_by.in)}`)] : []),
   ]
 }
 

@@ -18,10 +18,10 @@ export function costChart(series: Series[], signal: AbortSignal): CostChart {
   const said = h('p', { class: parts.hint }, costSummary(series))
   const chart = lineChart(
     {
-      title: 'Best score so far',
+      title: 'Lowest cost so far',
       summary: costSummary(series),
       x: { label: 'closures', log: true }, // the first of them find most
-      y: { label: 'search score', clip: 3 },
+      y: { label: 'cost (lower is better)', clip: 3 },
       series,
     },
     signal,
@@ -51,7 +51,7 @@ export function costSummary(series: Series[]): string {
   const since = ours?.x.find((_, i) => ours.y[i] === cost) ?? closures
   const other = random?.y.at(-1)
   return (
-    `Score ${number(cost, 2)} since ${counted(since, 'closure')} of ${grouped(closures)}.` +
+    `Cost ${number(cost, 2)}, reached after ${grouped(since)} of ${counted(closures, 'closure')}.` +
     (other === undefined
       ? ''
       : ` A random search would be expected to reach ${number(other, 2)} after ${grouped(random?.x.at(-1) ?? 0)}.`)

@@ -91,7 +91,7 @@ export const FIGURES: Figure[] = [
   },
   { label: 'Highest chordal tension', unit: 'N', digits: 2, value: (p) => p.measure.tension_max_n, better: 'lower' },
   {
-    label: 'Largest papillary displacement',
+    label: 'Largest papillary relocation',
     unit: 'mm',
     digits: 1,
     value: (p) => Math.max(p.anterolateral_movement_mm, p.posteromedial_movement_mm),
@@ -116,7 +116,7 @@ export const FIGURES: Figure[] = [
     better: 'higher',
     border: FURTHEST_DISEASE_MM,
   },
-  { label: 'Ring sizes below the annulus', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
+  { label: 'Ring sizes below the true size', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
   { label: 'Steps', unit: '', digits: 0, value: (p) => p.plan.steps.length, better: 'lower' },
   { label: 'Cost, as ranked', unit: 'mm²', digits: 2, value: rankedCost, better: 'lower' },
 ]

@@ -25,7 +25,7 @@ export interface SearchPanelContext extends Omit<CardContext, 'job' | 'photos'> 
 export function searchPanel(first: Job, context: SearchPanelContext): HTMLElement {
   const title = h('h1', {}, 'Search')
   const body = h('div', {})
-  const curves = h('section', { class: parts.panel, 'aria-label': 'Best score so far', hidden: true })
+  const curves = h('section', { class: parts.panel, 'aria-label': 'Lowest cost so far', hidden: true })
   const photos = new Photos(first.valve, context.signal)
   const leading = leadingPlan(photos)
   const seen: JobProgress[] = []

@@ -40,7 +40,7 @@ export const NEOCHORDAE: NumberOption = {
 export const LIMITS: NumberOption[] = [
   {
     pointer: '/rules/most_movement_mm',
-    label: 'Maximum papillary displacement',
+    label: 'Maximum papillary relocation',
     unit: 'mm',
     least: 3,
     most: 15,
@@ -85,7 +85,7 @@ export const OPTIMISER: NumberOption[] = [
     most: 1089,
     step: INTEGER,
     fallback: 1089,
-    hint: 'Number of errors of execution with which each ranked plan is closed, out of 1,089.',
+    hint: 'Number of errors of execution, out of 1,089, with which the first plan is closed; other ranked plans are closed with up to 65.',
   },
   {
     pointer: '/fine_levels',
@@ -154,8 +154,8 @@ export const WEIGHTS: NumberOption[] = [
   weight('margin', 'No margin to leak', 1),
   weight('coaptation', 'Coaptation below 8 mm, per mm', 0.5),
   weight('gap', 'Distance between leaflets, per mm', 2),
-  weight('movement', 'Papillary displacement, per mm', 0.2),
-  weight('movement_above_10', 'Displacement above 10 mm, extra per mm', 1),
+  weight('movement', 'Papillary relocation, per mm', 0.2),
+  weight('movement_above_10', 'Relocation above 10 mm, extra per mm', 1),
   weight('undersizing', 'Undersizing, per ring size', 0.5),
   weight('undersizing_above_4', 'Above 4 sizes, extra per size', 2),
   weight('gradient_above_3', 'Mean gradient above 3 mmHg, per mmHg', 2),

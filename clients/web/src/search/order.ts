@@ -42,7 +42,7 @@ export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wan
   if (!first || !second) return null
   const [cost, other] = [costOf(first, own, weights), costOf(second, own, weights)]
   if (cost === null || other === null) return null
-  const plan = by === '' ? 'Plan' : `By ${by} plan`
+  const plan = by === '' ? 'Plan' : `By ${by}, plan`
   const costs = `${plan} ${first.rank} ranks first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`
   const decisive = second.tier && second.tier !== first.tier ? IN_WORDS[second.tier] : ''
   if (decisive) return `${costs}, ${other < cost ? 'but' : 'and'} ${decisive}.`

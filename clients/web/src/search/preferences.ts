@@ -13,7 +13,7 @@ const OBJECTIVES: { objective: Objective; label: string; prices: string }[] = [
   { objective: 'leak', label: 'Leak', prices: 'leak, margin, coaptation, distance, tension' },
   { objective: 'opening', label: 'Opening', prices: 'mean gradient above 3 mmHg' },
   { objective: 'durability', label: 'Reserve', prices: 'reserve against progression' },
-  { objective: 'operation', label: 'Operation', prices: 'steps, undersizing, papillary displacement' },
+  { objective: 'operation', label: 'Operation', prices: 'steps, undersizing, papillary relocation' },
 ]
 
 /// `changed` hears of every move.

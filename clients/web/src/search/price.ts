@@ -31,7 +31,7 @@ const ITEMS: { name: string; objective: Objective | null; terms: (keyof CostTerm
   { name: 'reserve against progression', objective: 'durability', terms: ['durability'] },
   { name: 'steps', objective: 'operation', terms: ['step'] },
   { name: 'undersizing', objective: 'operation', terms: ['undersizing', 'undersizing_above_4'] },
-  { name: 'papillary displacement', objective: 'operation', terms: ['movement', 'movement_above_10'] },
+  { name: 'papillary relocation', objective: 'operation', terms: ['movement', 'movement_above_10'] },
   { name: 'failed closures', objective: null, terms: ['untrusted'] },
 ]
 

@@ -70,7 +70,7 @@ export class Learn {
       },
     })
     const looks = lookControls(look, redraw)
-    looks.append(h('label', { class: parts.check }, amplify, `Forces ${AMPLIFIED} times as long`))
+    looks.append(h('label', { class: parts.check }, amplify, `Force arrows ${AMPLIFIED} times as long`))
     const stage = h(
       'div',
       { class: trainStyle.learn },

@@ -65,8 +65,8 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   let side: 'atrial' | 'middle' = 'atrial'
   const sides = select(
     [
-      ['atrial', 'their atrial side'],
-      ['middle', 'their mid-surface'],
+      ['atrial', 'atrial side of the leaflets'],
+      ['middle', 'mid-surface of the leaflets'],
     ],
     side,
     (value) => (side = value as typeof side),
@@ -114,7 +114,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     h(
       'p',
       { class: parts.hint },
-      'A label map (NRRD, NIfTI or MetaImage), or leaflets (OBJ, PLY, STL, VTK, VTP or VTU) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
+      'A label map (NRRD, NIfTI or MetaImage), or leaflets (OBJ, PLY, STL, glTF, VTK, VTP or VTU) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
         'system; chordae and papillary tips if imaged; or all files of a SlicerHeart folder. Remove patient identifiers ' +
         'first.',
     ),

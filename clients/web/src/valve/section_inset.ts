@@ -29,7 +29,7 @@ export function sectionInset(scene: Scene, index: number): SVGSVGElement {
   drawing.setAttribute('viewBox', `${left} ${top} ${width} ${height}`)
   const words = place.contact
     ? `coaptation ${withUnit(place.height_mm, 'mm')}`
-    : `apart ${withUnit(place.distance_mm, 'mm')}`
+    : `leaflets ${withUnit(place.distance_mm, 'mm')} apart`
   drawing.setAttribute('aria-label', `Section of the closed valve: ${words}`)
   const anterior = cut.filter(({ face }) => isAnterior(scene, face))
   const posterior = cut.filter(({ face }) => !isAnterior(scene, face))

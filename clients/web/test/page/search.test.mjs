@@ -48,7 +48,7 @@ test('a search that is cancelled shows the best so far', async () => {
   await start()
   await page.locator('[data-part=progress] dl', { hasText: /of 1\d\d,/ }).waitFor()
   await page
-    .getByText(/^Score [\d.]+ since \d+ closures of /)
+    .getByText(/^Cost [\d.]+, reached after [\d,]+ of [\d,]+ closures/)
     .first()
     .waitFor()
   await page.locator('[data-part=leading] [data-part=photo][data-taken]').nth(1).waitFor() // before, and with the plan

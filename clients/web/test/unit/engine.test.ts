@@ -228,7 +228,7 @@ test('a valve that nobody knows is said to be none', async () => {
   expect(asked).toEqual([])
 })
 
-test('all else needs coapt-server', async () => {
+test('all else this request requires coapt-server', async () => {
   const { ask } = service()
   for (const [method, path] of [
     ['POST', '/v1/jobs'],
@@ -237,7 +237,7 @@ test('all else needs coapt-server', async () => {
   ] as const) {
     const answer = await ask(method, path, '{}')
     expect(answer.status).toBe(501)
-    expect(await answer.json()).toMatchObject({ detail: 'needs coapt-server', problems: [] })
+    expect(await answer.json()).toMatchObject({ detail: 'this request requires coapt-server', problems: [] })
   }
 })
 

@@ -84,7 +84,7 @@ test('the best score is told with when it was found', () => {
     ],
     [],
   )
-  expect(costSummary(series)).toBe('Score 2.60 since 24 closures of 2,000.')
+  expect(costSummary(series)).toBe('Cost 2.60, reached after 24 of 2,000 closures.')
   expect(isFlat(series)).toBe(false)
   expect(
     isFlat(

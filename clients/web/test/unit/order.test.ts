@@ -118,7 +118,7 @@ test('at the reader’s own weights costs and prices are those, and nothing is s
   const weights = at({ leak: 2 })
   const order = reordered([{ ...lesser, tie_with_next: true }, tighter], WEIGHTS, weights)
   expect(whyFirst(order, WEIGHTS, { weights, by: 'your weights' })).toBe(
-    'By your weights plan 2 ranks first with a cost of 2.40 mm²; plan 1 has 2.60: 1.20 more for leak and 1.00 less for steps.',
+    'By your weights, plan 2 ranks first with a cost of 2.40 mm²; plan 1 has 2.60: 1.20 more for leak and 1.00 less for steps.',
   )
 })
 

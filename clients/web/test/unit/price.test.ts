@@ -26,7 +26,7 @@ test('prices are weights times the amounts that the service states, in the group
     'reserve against progression': 1, // a quarter for each mm
     steps: 2,
     undersizing: 4.5, // half a mm2 for each of 5 sizes, two for the fifth
-    'papillary displacement': expect.closeTo(4.4), // 12 fifths, two above 10
+    'papillary relocation': expect.closeTo(4.4), // 12 fifths, two above 10
     'failed closures': 100,
   })
 })
