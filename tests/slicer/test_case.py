@@ -175,7 +175,7 @@ class Flow(SlicerTest):
         taken = case.Case()
         taken.take(given)
         said = self.trouble(taken.importing(self.service))
-        self.assertRegex(said, 'no label is named the anterior leaflet(.|\n)*Of the labels 1 is "Annulus"[.]')
+        self.assertRegex(said, 'no label is named as the anterior leaflet(.|\n)*Of the labels 1 is "Annulus"[.]')
         given = example(names=("Septal leaflet", "Tricuspid anterior", "Annulus"))
         taken.take(given)
         self.assertRegex(self.trouble(taken.importing(self.service)), "has a label named as a leaflet of another valve")

@@ -225,7 +225,7 @@ test('the reader’s own weights reorder plans without a request, and can be set
   assert.deepEqual(costs, ['cost 2.40 mm²', 'cost 2.60 mm²'])
   assert.match(
     await why.textContent(),
-    /^By your weights plan 2 ranks first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
+    /^By your weights, plan 2 ranks first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
   )
   await ranked.getByText('2 → 1', { exact: false }).waitFor()
   await ranked.getByText('moved from place 1 to 2').waitFor({ state: 'attached' })

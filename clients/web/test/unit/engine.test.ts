@@ -228,7 +228,7 @@ test('a valve that nobody knows is said to be none', async () => {
   expect(asked).toEqual([])
 })
 
-test('all else this request requires coapt-server', async () => {
+test('all else needs coapt-server', async () => {
   const { ask } = service()
   for (const [method, path] of [
     ['POST', '/v1/jobs'],
