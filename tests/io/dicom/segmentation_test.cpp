@@ -3,6 +3,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -54,7 +55,8 @@ Expected<LabelMap> read(const Written& written) {
     segment.putAndInsertString(DCM_SegmentLabel, k == 0 ? "Anterior leaflet" : "P2");
   }
   data.putAndInsertUint8Array(DCM_PixelData, written.bits.data(), written.bits.size());
-  const fs::path path = fs::temp_directory_path() / "coapt-segmentation-test.dcm";
+  const fs::path path =
+      fs::temp_directory_path() / ("coapt-segmentation-" + std::to_string(getpid()) + ".dcm");
   file.saveFile(path.c_str(), EXS_LittleEndianExplicit);
   Expected<LabelMap> map = read_dicom_segmentation(path);
   fs::remove(path);

@@ -2,6 +2,7 @@
 #include "io/dicom/series_geometry.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -61,7 +62,8 @@ TEST(SeriesGeometry, AMissingSliceAndTwoSeriesAreRefused) {
 TEST(SeriesGeometry, DamagedFilesAreRefusedWithoutAWordOfTheirContents) {
   std::ifstream file(kImages / "series/1.dcm", std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(file), {}};
-  const fs::path path = fs::temp_directory_path() / "coapt-damaged.dcm";
+  const fs::path path =
+      fs::temp_directory_path() / ("coapt-damaged-" + std::to_string(getpid()) + ".dcm");
   for (std::size_t length = 132; length + 60 < whole.size(); length += 7) {
     std::ofstream(path, std::ios::binary) << whole.substr(0, length);
     const Expected<ImageGeometry> image = read_series_geometry({path});
