@@ -85,7 +85,7 @@ export const OPTIMISER: NumberOption[] = [
     most: 1089,
     step: INTEGER,
     fallback: 1089,
-    hint: 'Number of errors of execution, out of 1,089, with which the first plan is closed; other ranked plans are closed with up to 65.',
+    hint: 'Errors of execution, of 1,089, with which the first plan is closed; others: at most 65.',
   },
   {
     pointer: '/fine_levels',

@@ -145,7 +145,7 @@ test('answers survive a reload; plans are ordered by what they say, times the sl
   assert.equal(await title(), '3 ranked plans, best first by the learned weights')
   assert.match(
     await page.locator('[data-part=why]').textContent(),
-    /^By the learned weights plan 2 ranks first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
+    /^By the learned weights, plan 2 ranks first with a cost of 2\.40 mm²; plan 1 has 2\.60:/,
   )
   const operation = page.getByRole('slider', { name: /^Operation:/ })
   await operation.focus()
