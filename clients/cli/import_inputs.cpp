@@ -278,13 +278,13 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
       error.path.clear();
     }
     if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "/label");
-    if (error.path == "/leaflets") error.path = "/leaflet";
     if (of_file || source != "valve import")
       report_errors(source, {error});
     else
-      report_option_errors(
-          "valve import", {error},
-          {{"/thickness_measured", "--thickness"}, {"/tissue/thickness_mm", "--thickness"}});
+      report_option_errors("valve import", {error},
+                           {{"/leaflets", "--leaflet"},
+                            {"/thickness_measured", "--thickness"},
+                            {"/tissue/thickness_mm", "--thickness"}});
   }
   return exit_code::kBadInput;
 }

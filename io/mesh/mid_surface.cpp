@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/metrics/surface_tree.h"
+#include "core/valve/median.h"
 #include "core/valve/vertex_normals.h"
 #include "io/mesh/sheet_repair.h"
 
@@ -68,12 +69,6 @@ double volume_mm3(const TriangleMesh& mesh) {
   for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
     sum += area_vector(mesh, f).dot(Vec3(mesh.vertices_mm.row(mesh.faces(f, 0))) - centre) / 3.0;
   return sum;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double mean_edge_mm(const TriangleMesh& mesh) {

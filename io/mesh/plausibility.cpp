@@ -8,6 +8,7 @@
 
 #include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
+#include "core/valve/median.h"
 #include "core/valve/number_text.h"
 #include "core/valve/vertex_normals.h"
 #include "io/mesh/sheet_repair.h"
@@ -36,12 +37,6 @@ constexpr Range kUsualTipDepthMm = {8.0, 60.0};  // 23.5 +- 3.8 from the annulus
 // Tips lie at 0.6 to 1.1 of the way from the middle of the annulus to its rim, seen from the atrium, between 0.05 in front and 0.85 behind
 // (presets, an anatomical heart, remodelled ones).
 constexpr double kTipBeside = 1.5, kTipInFront = 0.4;
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 bool is_in(double value, const Range& range) { return value >= range.min && value <= range.max; }
 
@@ -126,18 +121,18 @@ std::string stray_point(const Points& loop) {
     off.push_back((to - share * along).norm());
   }
   const auto worst = std::max_element(off.begin(), off.end()) - off.begin();
-  const double most = off[static_cast<std::size_t>(worst)], median = median_of(off);
+  const double most = off[static_cast<std::size_t>(worst)], usual = median(off);
   const Eigen::RowVector3d middle = loop.colwise().mean();
   const Eigen::VectorXd from_middle = (loop.rowwise() - middle).rowwise().norm();
-  const double radius = median_of({from_middle.begin(), from_middle.end()});
-  if (most <= kStrayShare * radius || most <= kStrayRatio * median) return "";
+  const double radius = median({from_middle.begin(), from_middle.end()});
+  if (most <= kStrayShare * radius || most <= kStrayRatio * usual) return "";
   const auto number = [](Eigen::Index i) { return std::to_string(i + 1); };
   const auto at = loop.row(worst);
   return "has a stray point: point " + number(worst) + ", (" + significant(at.x(), 4) + ", " +
          significant(at.y(), 4) + ", " + significant(at.z(), 4) + "), lies " +
          significant(most, 3) + " off the line from point " + number((worst + n - 1) % n) +
          " to point " + number((worst + 1) % n) + ", where half of all points lie within " +
-         significant(median, 2) + "; must follow the annulus";
+         significant(usual, 2) + "; must follow the annulus";
 }
 
 Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
@@ -162,15 +157,15 @@ Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
     gap_deg = std::abs(turn) * 180.0 / std::numbers::pi;
   }
   if (sides.empty()) return std::vector<ImportDecision>{};
-  const double median = median_of(sides);
+  const double usual = median(sides);
   if (std::abs(turned) > 3.0 * std::numbers::pi)
     return Error{ErrorCode::BadGeometry, "/annulus_mm",
                  "encircles its centre " +
                      std::to_string(std::lround(std::abs(turned) / (2.0 * std::numbers::pi))) +
                      " times; must encircle it once"};
-  if (longest < kLongSide * median || gap_deg < kGap_deg) return std::vector<ImportDecision>{};
+  if (longest < kLongSide * usual || gap_deg < kGap_deg) return std::vector<ImportDecision>{};
   const std::string gap = "its longest side, " + significant(longest, 3) + " mm, is " +
-                          significant(longest / median, 2) + " times the median side";
+                          significant(longest / usual, 2) + " times the median side";
   if (gap_deg > kOpen_deg)
     return Error{ErrorCode::BadGeometry, "/annulus_mm",
                  "is open over " + significant(gap_deg, 3) + " degrees: " + gap +

@@ -37,6 +37,8 @@ struct Header {
 };
 
 constexpr std::size_t kMaxElements = 20, kMaxProperties = 100;
+constexpr const char* kPropertyTypes =
+    "the type of a property must be char, uchar, short, ushort, int, uint, float or double";
 
 std::optional<Scalar> scalar_named(std::string_view name) {
   constexpr std::pair<std::string_view, Scalar> kNames[] = {
@@ -77,18 +79,14 @@ std::string read_header_line(const std::vector<std::string_view>& tokens, Header
       return "must have at most 100 properties of an element";
     if (tokens.size() == 3) {
       const auto type = scalar_named(tokens[1]);
-      if (!type)
-        return "the type of a property must be char, uchar, short, ushort, int, uint, float or "
-               "double";
+      if (!type) return kPropertyTypes;
       properties.push_back({tokens[2], *type, {}});
       return "";
     }
     if (tokens.size() == 5 && tokens[1] == "list") {
       const auto count = scalar_named(tokens[2]);
       const auto type = scalar_named(tokens[3]);
-      if (!count || !type)
-        return "the type of a property must be char, uchar, short, ushort, int, uint, float or "
-               "double";
+      if (!count || !type) return kPropertyTypes;
       if (*count >= Scalar::Float32) return "the length of a list must be an integer type";
       properties.push_back({tokens[4], *type, count});
       return "";

@@ -15,6 +15,7 @@
 
 #include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
+#include "core/valve/median.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/mesh/given_landmarks.h"
@@ -135,6 +136,9 @@ Commissures given_commissures(const FramedSource& source, const ArcLength& arc) 
   return {medial, lateral + (lateral < medial ? arc.total_mm() : 0.0), false, true};
 }
 
+/// For both leaflets: the anterior one's share of the annulus.
+bool leaves_room(double share) { return share > 0.1 && share < 0.9; }
+
 /// Where two sheets meet.
 std::optional<Commissures> measured_commissures(const FramedSource& source, const ArcLength& arc,
                                                 const ClosureBudget& budget) {
@@ -143,8 +147,7 @@ std::optional<Commissures> measured_commissures(const FramedSource& source, cons
   const std::optional<double> lateral = find_commissure(source, arc, total / kScan, budget);
   if (!medial || !lateral) return std::nullopt;
   const Commissures found{*medial + total, *lateral + total, true, false};
-  const double anterior = found.lateral_mm - found.medial_mm;
-  if (!(anterior > 0.1 * total && anterior < 0.9 * total)) return std::nullopt;
+  if (!leaves_room((found.lateral_mm - found.medial_mm) / total)) return std::nullopt;
   return found;
 }
 
@@ -155,19 +158,18 @@ Expected<Commissures> find_commissures(const FramedSource& source, const ArcLeng
   if (seen.posteromedial_commissure_mm && seen.anterolateral_commissure_mm) {
     Commissures given = given_commissures(source, arc);
     const double share = (given.lateral_mm - given.medial_mm) / total;
-    if (share > 0.1 && share < 0.9) {
-      if (source.leaflets.size() == 1) return given;
-      if (const auto measured = measured_commissures(source, arc, budget))
-        given.off_mm =
-            std::max(std::abs(std::remainder(given.medial_mm - measured->medial_mm, total)),
-                     std::abs(std::remainder(given.lateral_mm - measured->lateral_mm, total)));
-      return given;
-    }
-    return Error{
-        ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
-        "lies " + shown(std::round(100.0 * share)) +
-            " % of the annulus from the posteromedial commissure, measured over the front; "
-            "must be from 10 to 90 %"};
+    if (!leaves_room(share))
+      return Error{
+          ErrorCode::BadGeometry, "/landmarks/anterolateral_commissure_mm",
+          "lies " + shown(std::round(100.0 * share)) +
+              " % of the annulus from the posteromedial commissure, measured over the front; "
+              "must be from 10 to 90 %"};
+    if (source.leaflets.size() == 1) return given;
+    if (const auto measured = measured_commissures(source, arc, budget))
+      given.off_mm =
+          std::max(std::abs(std::remainder(given.medial_mm - measured->medial_mm, total)),
+                   std::abs(std::remainder(given.lateral_mm - measured->lateral_mm, total)));
+    return given;
   }
   if (source.leaflets.size() == 1) {
     const double half = 0.5 * kAnteriorArc * total;
@@ -184,8 +186,7 @@ double median_length(const std::vector<Profile>& profiles) {
   for (const Profile& profile : profiles) {
     if (!profile.bare) lengths.push_back(profile.length_mm);
   }
-  std::sort(lengths.begin(), lengths.end());
-  return lengths.empty() ? 0.0 : lengths[lengths.size() / 2];
+  return lengths.empty() ? 0.0 : median(lengths);
 }
 
 /// Marks the cuts of the notch around cut `centre`.

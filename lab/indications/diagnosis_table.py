@@ -6,8 +6,8 @@ Whether `coapt diagnose` names the type of valves whose lesion is known, because
 to the folder VALVES, is diagnosed with its own disease, before it but with an annulus that is 30 % deeper and half as high
 (type I), and before it but with the marginal chordae of one segment ruptured (type II; P2, A2, P1, P3, A1 and A3 in turn), each if
 it leaks more than 5 mm2. Valves of even number are those that thresholds were chosen on, the others are held out. Printed: types that
-were diagnosed by type that was made, and of ruptured valves how often the diagnosis names the segment, and how many others. --unseen: ruptured chordae are left out of
-the valves, as where nobody has seen them.
+were diagnosed by type that was made, and of ruptured valves how often the diagnosis names the segment, and how many others. --unseen:
+ruptured chordae are left out of the valves, as where nobody has seen them.
 """
 
 import argparse

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/valve/median.h"
 #include "core/valve/number_text.h"
 #include "search/evaluator.h"
 #include "search/fit/fit_posterior.h"
@@ -49,11 +50,9 @@ Errors check(const MeasuredClosure& measured, const FitProblem& problem, const P
         "measured"}};
   std::vector<double> distances = problem.answer_of(before).distances_mm;
   for (double& distance : distances) distance = std::abs(distance);
-  const auto middle = distances.begin() + std::ssize(distances) / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  if (*middle > kMostAway_mm)
+  if (const double middle_mm = median(std::move(distances)); middle_mm > kMostAway_mm)
     return {Error{ErrorCode::BadGeometry, "/points_mm",
-                  "is " + with_decimals(*middle, 0) +
+                  "is " + with_decimals(middle_mm, 0) +
                       " mm from the closed valve (median), must be within 15 mm; check its frame "
                       "and its unit of length"}};
   return {};
