@@ -136,8 +136,8 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   EXPECT_EQ(
       summary_of(doubtful),
       "It leaks, probably because the annulus is too wide for the leaflets (Carpentier type I). "
-      "Type IIIb is not ruled out. The leak is too close to 5 mm² to tell whether the valve is "
-      "competent.");
+      "Carpentier type IIIb is not ruled out. The leak is too close to 5 mm² to tell whether the "
+      "valve is competent.");
   Estimate leak{6.0, Interval{4.0, 8.0}, Interval{2.0, 16.0}, {}};
   EXPECT_EQ(sentence_of(doubtful, leak)
                 .rfind("The valve leaks 6 mm² (2 to 16 mm² with tissue error), ", 0),

@@ -78,7 +78,7 @@ TEST(FineClosures, APlanIsAcceptableOnlyIfTheFineMeshSaysSo) {
   const RankedPlan leaks = ranked_with(leaking_on_fine_meshes(0.0, 6.5), 1);
   EXPECT_FALSE(leaks.is_acceptable);
   EXPECT_EQ(leaks.warnings.back(),
-            "on 128 triangles it leaks 6.5 mm2, so the plan is not acceptable");
+            "on 128 triangles it leaks 6.5 mm², so the plan is not acceptable");
   EXPECT_TRUE(ranked_with(leaking_on_fine_meshes(0.0, 6.5), 0).is_acceptable);
 }
 
