@@ -5,6 +5,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/design_inputs.h"
 #include "clients/cli/design_outputs.h"
+#include "clients/cli/run_options.h"
 #include "core/repair/limits.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -95,14 +96,8 @@ void add_design_ring(Command parent, int& status) {
       .check(number_from(static_cast<int>(kRingEvaluations.min),
                          static_cast<int>(kRingEvaluations.max)))
       .show_default();
-  command.add_option("--seed", options.seed, "Random seed; the same seed gives the same ring")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      .show_default();
-  command
-      .add_option("--threads", options.threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_seed_option(command, options.seed, "Random seed; the same seed gives the same ring");
+  add_threads_option(command, options.threads);
   command.add_option("--name", arguments->name, "Name of the ring, as used in plans")
       .show_default();
   command

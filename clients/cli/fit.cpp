@@ -12,6 +12,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/method_option.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/run_options.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
@@ -244,11 +245,7 @@ void add_fit(Command parent, int& status) {
       .check(number_from(0.1, 1e6))
       .show_default();
   add_membrane_option(command, options.closure.membrane);
-  command
-      .add_option("--threads", options.threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, options.threads);
   command
       .add_option("--map", arguments->picture,
                   "Write a map of the remaining distance (PNG; meshes only)")

@@ -8,6 +8,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/population_directory.h"
+#include "clients/cli/run_options.h"
 #include "farm/work/population_work.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
@@ -139,11 +140,7 @@ void add_population_make(Command parent, int& status) {
                      "adults, examples/populations/adult.json)");
   command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
       .show_default();
-  command
-      .add_option("--threads", arguments->threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, arguments->threads);
   add_farm_option(command, arguments->farm, "Draw the valves");
   command.add_flag("--json", arguments->json, "Print the population (coapt.population/1)");
   command.footer(

@@ -8,6 +8,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/run_options.h"
 #include "clients/cli/server_option.h"
 #include "clients/cli/service_job.h"
 #include "clients/cli/study_directory.h"
@@ -148,11 +149,7 @@ Command add_one(Command parent, int& status, StudyKind kind, const char* help,
       .add_option("-o,--output", arguments->directory,
                   "Directory for CSV, SVG, findings.json, index.html and the closures")
       .show_default();
-  command
-      .add_option("--threads", arguments->threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, arguments->threads);
   command.add_flag("--json", arguments->json, "Print a summary as JSON");
   add_farm_option(command, arguments->farm, "Compute the closures");
   add_server_option(command, arguments->server);

@@ -4,6 +4,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
+#include "clients/cli/run_options.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/porcine_thesis.h"
 #include "core/presets/presets.h"
@@ -111,19 +112,13 @@ void add_anchor_question(Command parent, int& status) {
                   "Number of anatomies, drawn by Latin hypercube sampling")
       .check(number_from(1, 10000))
       .show_default();
-  command.add_option("--seed", arguments->question.seed, "Seed of the Latin hypercube")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      .show_default();
+  add_seed_option(command, arguments->question.seed, "Seed of the Latin hypercube");
   command
       .add_option("--region-points", arguments->question.approximation.region_points,
                   "Number of points of the region of interest to close, out of 1,089")
       .check(number_from(17, 1089))
       .show_default();
-  command
-      .add_option("--threads", arguments->threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, arguments->threads);
   add_farm_option(command, arguments->farm, "Compute the closures");
   command.footer(
       "Papillary tips, trigones, saddle and leaflet reserve vary around preset "

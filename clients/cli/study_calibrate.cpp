@@ -5,6 +5,7 @@
 
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
+#include "clients/cli/run_options.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/presets.h"
 #include "core/valve/number_text.h"
@@ -119,9 +120,7 @@ void add_calibrate(Command parent, int& status) {
       "calibrate", "Fit a parametric valve to the thesis's figure 4.5 and table 4.1");
   command.add_option("-o,--output", arguments->directory, "Directory for the valve and its fit")
       .show_default();
-  command.add_option("--seed", calibration.seed, "Seed of the first start")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      .show_default();
+  add_seed_option(command, calibration.seed, "Seed of the first start");
   command
       .add_option(
           "--spread", calibration.spread,
@@ -139,11 +138,7 @@ void add_calibrate(Command parent, int& status) {
   command.add_flag(
       "--anchors", arguments->anchors,
       "Keep the fit that agrees best with the thesis's statement on anchors, using its look-up");
-  command
-      .add_option("--threads", calibration.threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, calibration.threads);
   add_farm_option(command, arguments->farm,
                   "Compute the closures of --anchors, but not the fit itself,");
   command.footer(

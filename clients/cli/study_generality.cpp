@@ -6,6 +6,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/run_options.h"
 #include "clients/cli/study_directory.h"
 #include "core/presets/presets.h"
 #include "io/command_line/command_line.h"
@@ -150,14 +151,8 @@ void add_generality(Command parent, int& status) {
   command.add_option("--anatomies", arguments->anatomies, "Number of random anatomies")
       .check(number_from(0, 10000))
       .show_default();
-  command.add_option("--seed", arguments->seed, "Seed of the random anatomies")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      .show_default();
-  command
-      .add_option("--threads", arguments->threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_seed_option(command, arguments->seed, "Seed of the random anatomies");
+  add_threads_option(command, arguments->threads);
   add_farm_option(command, arguments->farm, "Compute the closures");
   command.footer(
       "Each valve takes about 2,000 closures: displacements in steps of 2 mm, approximations of "

@@ -10,6 +10,7 @@
 #include "clients/cli/print.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
+#include "clients/cli/run_options.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
@@ -83,14 +84,8 @@ void add_study_information(Command parent, int& status) {
                   "Number of variants of tissue and chordae, closed before and after the plan")
       .check(number_from(1, 100000))
       .show_default();
-  command.add_option("--seed", arguments->study.seed, "Seed of the Latin hypercube")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      .show_default();
-  command
-      .add_option("--threads", arguments->study.threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_seed_option(command, arguments->study.seed, "Seed of the Latin hypercube");
+  add_threads_option(command, arguments->study.threads);
   command.add_flag("--json", arguments->json, "Print JSON (coapt.information/1)");
   add_server_option(command, arguments->server);
   command.footer(

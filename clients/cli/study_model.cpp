@@ -8,6 +8,7 @@
 #include "clients/cli/plan_option.h"
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
+#include "clients/cli/run_options.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -82,16 +83,10 @@ void add_study_model(Command parent, int& status) {
       .add_option("--draws", arguments->draws, "Number of variants of tissue and chordae to close")
       .check(number_from(1, 100000))
       .show_default();
-  command.add_option("--seed", arguments->seed, "Seed of the Latin hypercube")
-      .check(number_from(std::uint64_t{0}, std::uint64_t{1} << 62))
-      .show_default();
+  add_seed_option(command, arguments->seed, "Seed of the Latin hypercube");
   command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
       .show_default();
-  command
-      .add_option("--threads", arguments->threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, arguments->threads);
   command.add_flag("--json", arguments->json, "Print JSON");
   add_server_option(command, arguments->server);
   command.footer(

@@ -7,6 +7,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/read_argument.h"
+#include "clients/cli/run_options.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -97,11 +98,7 @@ void add_study_physiology(Command parent, int& status) {
                   "Species whose ranges apply (default: porcine if the name of the valve says so, "
                   "else human)")
       .one_of(names_of(kSpecies));
-  command
-      .add_option("--threads", arguments->threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, arguments->threads);
   command.add_flag("--json", arguments->json, "Print JSON, including the source of each range");
   add_server_option(command, arguments->server);
   command.footer(

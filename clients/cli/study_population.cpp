@@ -9,6 +9,7 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/population_directory.h"
+#include "clients/cli/run_options.h"
 #include "farm/work/population_work.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
@@ -202,11 +203,7 @@ void add_study_population(Command parent, int& status) {
       .show_default();
   command.add_option("-o,--output", arguments->directory, "Directory for JSON, CSV and index.html")
       .show_default();
-  command
-      .add_option("--threads", arguments->records.threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, arguments->records.threads);
   add_farm_option(command, arguments->farm, "Repair and close the valves");
   command.add_flag("--json", arguments->json, "Print the findings as JSON");
   command.footer(

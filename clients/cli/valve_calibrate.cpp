@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
+#include "clients/cli/run_options.h"
 #include "core/valve/counted.h"
 #include "core/valve/number_text.h"
 #include "core/valve/printable.h"
@@ -170,11 +171,7 @@ void add_valve_calibrate(Command parent, int& status) {
                   "Approximate number of triangles for the final table; the search uses 650")
       .check(number_from(100, 50000))
       .show_default();
-  command
-      .add_option("--threads", options.threads,
-                  "Number of threads (0: all cores); does not change the result")
-      .check(number_from(0, 1024))
-      .show_default();
+  add_threads_option(command, options.threads);
   command.add_flag("--json", arguments->json, "Print JSON");
   command.footer(
       "All valves of the file derive from one healthy valve and keep its chordae. An unknown "
