@@ -66,16 +66,6 @@ Drawing drawing_of(const Valve& valve, int asked) {
   return {std::max(asked, kConditionedDraws), kMostBlocks};
 }
 
-/// The plan, or none, on a valve with the material of a draw.
-std::optional<Valve> planned(const std::optional<Valve>& valve, const PlanRecord* plan,
-                             const std::vector<double>& shares) {
-  if (!valve) return {};
-  const Expected<Valve> repaired = plan == nullptr ? *valve : apply_plan(*valve, plan->plan);
-  if (!repaired) return {};
-  const Expected<Valve> drawn = with_model(*repaired, shares);
-  return drawn ? std::optional(*drawn) : std::nullopt;
-}
-
 /// The unrepaired valve in a draw.
 struct Before {
   PlanClosure closure;
@@ -92,7 +82,7 @@ std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
     if (evaluations.cancelled()) return;
     const auto at = static_cast<std::size_t>(i);
     all[at] = Before{refused()};
-    const std::optional<Valve> valve = planned(draws[at].valve, nullptr, draws[at].shares);
+    const std::optional<Valve> valve = drawn_valve(draws[at], nullptr);
     if (!valve) return;
     const ClosedPlan closed = evaluations.evaluate(*valve, start.closure.get());
     all[at]->closure = plan_closure(closed.evaluation);
@@ -152,6 +142,15 @@ ModelClosures draw_and_close_before(PlanEvaluations& evaluations, int asked) {
 
 }  // namespace
 
+std::optional<Valve> drawn_valve(const ModelDraw& draw, const PlanRecord* plan) {
+  if (!draw.valve) return {};
+  const Expected<Valve> repaired =
+      plan == nullptr ? *draw.valve : apply_plan(*draw.valve, plan->plan);
+  if (!repaired) return {};
+  const Expected<Valve> drawn = with_model(*repaired, draw.shares);
+  return drawn ? std::optional(*drawn) : std::nullopt;
+}
+
 ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                                 int asked, ModelClosures known) {
   if (asked == 0) return {};
@@ -171,7 +170,7 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
   for_each_index(count * each, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
     const ModelDraw& draw = model.distinct[static_cast<std::size_t>(i % each)];
-    const std::optional<Valve> valve = planned(draw.valve, missing[i / each], draw.shares);
+    const std::optional<Valve> valve = drawn_valve(draw, missing[i / each]);
     closures[i] =
         valve
             ? plan_closure(evaluations.evaluate(*valve, starts[i / each].closure.get()).evaluation)

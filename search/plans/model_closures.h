@@ -33,6 +33,9 @@ struct ModelDraw {
   std::optional<Valve> valve;
 };
 
+/// The plan, or none (null), on the valve with the material of a draw; nothing where that cannot be done.
+std::optional<Valve> drawn_valve(const ModelDraw& draw, const PlanRecord* plan);
+
 struct ModelClosures {
   int draws = 0;  ///< asked for
   /// Where something was observed of the valve (Valve::observed): the draws below are kConditionedDraws or more, picked from `pool`

@@ -1,6 +1,8 @@
 #include "search/plans/plan_estimates.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/metrics/area_error.h"
 #include "core/metrics/figure_error.h"
@@ -75,6 +77,14 @@ Estimate opened(const Measured& known, Figure of, double OpeningMeasure::*figure
   return {value, figure_interval(of, value, known.triangles)};
 }
 
+std::vector<double> figures_of(const std::vector<PlanOpening>& openings,
+                               double OpeningMeasure::*figure) {
+  std::vector<double> figures;
+  for (const PlanOpening& opening : openings)
+    if (trusted(opening)) figures.push_back(opening.measure.*figure);
+  return figures;
+}
+
 PlanEstimates estimates_of(const Measured& known) {
   return {.leak_mm2 = leak(known),
           .coaptation_mm = closed(known, Figure::Coaptation, &PlanClosure::coaptation_mm),
@@ -116,6 +126,17 @@ PlanEstimates estimates_before(const PlanEvaluations& evaluations, const ValveMe
   if (fine.before && trusted(*fine.before)) known.finer = &*fine.before;
   if (!model.contradicts) known.draws = addresses(model.before);
   return estimates_of(known);
+}
+
+void add_spread(PlanEstimates& estimates, const std::optional<PlanOpening>& own,
+                const DrawnOpenings& drawn) {
+  if (!own || !trusted(*own)) return;
+  for (const auto& [estimate, figure] :
+       {std::pair{&estimates.opening_mm2, &OpeningMeasure::opening_area_mm2},
+        std::pair{&estimates.gradient_mmhg, &OpeningMeasure::gradient_mmhg}}) {
+    estimate->tissue = sampled_interval(figures_of(drawn.draws, figure));
+    estimate->execution = sampled_interval(figures_of(drawn.errors, figure));
+  }
 }
 
 }  // namespace coapt

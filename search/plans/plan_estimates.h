@@ -1,11 +1,12 @@
 // What is known of a plan's figures that gates and rules of practice use, or of the valve as it is: by the finer mesh, the draws of the
 // model and the region.
 //
-// Over draws and nodes leaks are estimated (LeakBy): what they change is added to the leak as planned, which is measured. A plan is opened
-// once and its durability found once: of these only the numerical error is known.
+// Over draws and nodes leaks are estimated (LeakBy): what they change is added to the leak as planned, which is measured. Durability is
+// found once: of it only the numerical error is known.
 #pragma once
 
 #include "core/metrics/estimate.h"
+#include "search/plans/drawn_openings.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/model_closures.h"
 #include "search/plans/plan_evaluations.h"
@@ -30,5 +31,9 @@ PlanEstimates plan_estimates(const PlanEvaluations& evaluations, const PlanRecor
 PlanEstimates estimates_before(const PlanEvaluations& evaluations, const ValveMeasure& measure,
                                const std::optional<PlanOpening>& opening, const FineMesh& fine,
                                const ModelClosures& model);
+
+/// Of opening and gradient, by those that are to be trusted; nothing of an opening that is not.
+void add_spread(PlanEstimates& estimates, const std::optional<PlanOpening>& own,
+                const DrawnOpenings& drawn);
 
 }  // namespace coapt

@@ -271,9 +271,9 @@ bool PlanEvaluations::open(std::span<PlanRecord* const> plans, Phase phase) {
                      [](const PlanRecord* plan) { return plan->opening.has_value(); });
 }
 
-std::optional<PlanOpening> PlanEvaluations::opening_before() const {
+std::optional<PlanOpening> PlanEvaluations::opened(const Valve& valve) const {
   if (!options_.open) return std::nullopt;
-  return options_.open(valve_);
+  return options_.open(valve);
 }
 
 bool PlanEvaluations::close(std::span<const Wanted> wanted, Phase phase) {

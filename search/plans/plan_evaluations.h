@@ -119,8 +119,8 @@ class PlanEvaluations {
   bool opens() const { return static_cast<bool>(options_.open); }
   /// Opens what is not opened yet; a plan's cost counts it from the second node on. False if it was stopped before all were.
   bool open(std::span<PlanRecord* const> plans, Phase phase);
-  /// The valve as it is; none without an opener.
-  std::optional<PlanOpening> opening_before() const;
+  /// Any valve; none without an opener. Neither counted nor kept. From any thread.
+  std::optional<PlanOpening> opened(const Valve& valve) const;
 
   /// Plans of which a gate (gates.h) rejects, and on how many each: what a search left out.
   std::map<std::string, int> rejections() const;

@@ -6,6 +6,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "core/valve/counted.h"
+#include "search/plans/drawn_openings.h"
 #include "search/plans/exploration.h"
 #include "search/plans/fine_closures.h"
 #include "search/plans/front_search.h"
@@ -69,6 +70,17 @@ void summarise(const PlanEvaluations& evaluations, const SearchMonitor& monitor,
   result.seconds = monitor.seconds();
 }
 
+/// Adds what tissue and hand make of openings, before and of the plans that are reported.
+void open_under_draws(PlanEvaluations& evaluations, const ModelClosures& model,
+                      SearchResult& result) {
+  std::vector<const PlanRecord*> plans{nullptr};
+  for (const RankedPlan& plan : result.plans) plans.push_back(&evaluations.record(plan.plan));
+  const std::vector<DrawnOpenings> drawn = open_under_draws(evaluations, plans, model);
+  add_spread(result.before_estimates, result.opening_before, drawn.front());
+  for (std::size_t i = 0; i < result.plans.size(); ++i)
+    add_spread(result.plans[i].estimates, result.plans[i].opening, drawn[i + 1]);
+}
+
 /// Fills what a result says of the best plans. `reserve`: plans that join where none of the finalists ranks first without reproach. `map_nodes`: of the region, for the first of them.
 void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> finalists,
                     const std::vector<PlanRecord*>& reserve, const SearchOptions& options,
@@ -109,7 +121,7 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
     first.other_anchors = compare_anchors(evaluations, record, options);
     first.tolerance = step_tolerances(evaluations, record);
   }
-  result.opening_before = evaluations.opening_before();
+  result.opening_before = evaluations.opened(evaluations.valve());
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
   result.draws_fit = evaluations.valve().fitted.has_value();
@@ -121,6 +133,7 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   result.observed_contradicts = model.contradicts;
   result.before_estimates =
       estimates_before(evaluations, result.before.measure, result.opening_before, fine.mesh, model);
+  if (model.draws > 0) open_under_draws(evaluations, model, result);
 }
 
 /// None if too few for a round.

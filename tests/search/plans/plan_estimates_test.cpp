@@ -82,7 +82,7 @@ TEST(PlanEstimates, TheNumericalErrorIsAboutTheFinerMeshWhereItWasClosedOnOne) {
             nodes.estimates().tension_max_n.numerical);
 }
 
-TEST(PlanEstimates, OfOpeningAndDurabilityOnlyTheNumericalErrorIsKnown) {
+TEST(PlanEstimates, OfAnOpeningAndOfDurabilityTheNumericalErrorIsKnownAtOnce) {
   ClosedNodes nodes;
   EXPECT_TRUE(std::isnan(nodes.estimates().opening_mm2.value));
   EXPECT_TRUE(std::isnan(nodes.estimates().durability_mm.value));
@@ -94,6 +94,30 @@ TEST(PlanEstimates, OfOpeningAndDurabilityOnlyTheNumericalErrorIsKnown) {
   EXPECT_FALSE(known.opening_mm2.execution);
   nodes.plan.opening->crossing = true;
   EXPECT_TRUE(std::isnan(nodes.estimates().gradient_mmhg.value));
+}
+
+TEST(PlanEstimates, TissueAndHandSpreadTheOpeningsThatAreToBeTrusted) {
+  const PlanOpening own{ClosureStatus::Converged, false, {.opening_area_mm2 = 320.0}};
+  DrawnOpenings drawn;
+  for (int draw = 0; draw < 5; ++draw) {
+    drawn.draws.push_back(own);
+    drawn.draws.back().measure.opening_area_mm2 = 300.0 + 10.0 * draw;
+  }
+  drawn.draws.push_back(own);
+  drawn.draws.back().measure.opening_area_mm2 = 900.0;
+  drawn.draws.back().crossing = true;
+  drawn.errors.assign(4, own);  // too few
+  PlanEstimates known;
+  add_spread(known, own, drawn);
+  EXPECT_NEAR(known.opening_mm2.tissue->low, 300.0, 1e-9);
+  EXPECT_NEAR(known.opening_mm2.tissue->high, 340.0, 1e-9);
+  EXPECT_FALSE(known.opening_mm2.execution);
+  EXPECT_FALSE(known.tension_max_n.tissue);
+  PlanOpening crossed = own;
+  crossed.crossing = true;
+  PlanEstimates unknown;
+  add_spread(unknown, crossed, drawn);
+  EXPECT_FALSE(widest(unknown.opening_mm2));
 }
 
 TEST(PlanEstimates, NothingIsKnownOfTheErrorOfAClosureThatIsNotToBeTrusted) {
