@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/repair/approximation.h"
-#include "core/repair/limits.h"
 #include "core/valve/annulus_frame.h"
 #include "core/valve/leaflet_of.h"
 #include "core/valve/ruptures.h"
@@ -14,9 +13,6 @@
 namespace coapt {
 namespace {
 
-// A prolapse moves A2's edge, too: beside it tethering must be beyond doubt, with a tip beyond mean + 2 sd of health.
-constexpr double kTetheredBesides = 0.98;
-constexpr double kFarTip_mm = kTipToTrigone_mm + 2.0 * kTipToTrigoneSd_mm;
 constexpr std::size_t kA2 = 1;  // in kScallops
 constexpr int kLateral =
     3;  // of kScallops, an anterior segment and the opposite one are so far apart
@@ -216,7 +212,7 @@ void name_types(Diagnosis& of) {
   const bool excessive = std::any_of(of.segments.begin(), of.segments.end(), prolapses);
   const double furthest_mm = std::max(of.tip_to_trigone_mm[0], of.tip_to_trigone_mm[1]);
   const bool tethered = excessive ? of.tethering >= kTetheredBesides && furthest_mm > kFarTip_mm
-                                  : of.tethering >= 0.5;
+                                  : of.tethering >= kTethered;
   if (excessive) of.types.push_back(CarpentierType::II);
   if (tethered) of.types.push_back(CarpentierType::IIIb);
   if (of.types.empty()) of.types.push_back(CarpentierType::I);
@@ -225,7 +221,8 @@ void name_types(Diagnosis& of) {
       return prolapses(segment) && segment.sure;
     });
     if (!of.type_sure)
-      of.not_ruled_out = tethered || of.tethering >= 0.5 ? CarpentierType::IIIb : CarpentierType::I;
+      of.not_ruled_out =
+          tethered || of.tethering >= kTethered ? CarpentierType::IIIb : CarpentierType::I;
   } else if (const double sure = std::max(of.tethering, 1.0 - of.tethering);
              sure < kSureOfTethering) {
     of.type_sure = false;

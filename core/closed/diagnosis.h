@@ -18,6 +18,7 @@
 
 #include "core/closed/clefts.h"
 #include "core/metrics/measure.h"
+#include "core/repair/limits.h"
 
 namespace coapt {
 
@@ -78,7 +79,11 @@ inline constexpr double kFlail_mm = 2.0;     ///< the same where its chordae are
 inline constexpr double kOverrideMargin_mm =
     1.0;                                      ///< within this of kProlapse_mm a finding is not sure
 inline constexpr double kDeepEdge_mm = -9.0;  ///< an edge below that does not prolapse
-inline constexpr double kSureOfTethering = 0.85;  ///< probability of either
+inline constexpr double kTethered = 0.5,
+                        kSureOfTethering = 0.85;  ///< Diagnosis::tethering; of either
+// A prolapse moves A2's edge, too: beside it tethering must be beyond doubt, with a tip beyond mean + 2 sd of health.
+inline constexpr double kTetheredBesides = 0.98;
+inline constexpr double kFarTip_mm = kTipToTrigone_mm + 2.0 * kTipToTrigoneSd_mm;
 /// Anteroposterior over transverse diameter: health 0.75 +- 0.07 (PMC7368231, table 3), mean + 2 sd.
 inline constexpr double kRoundAnnulus = 0.89;
 inline constexpr double kDilatedAp_mm =

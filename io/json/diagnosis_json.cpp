@@ -1,7 +1,6 @@
 #include "io/json/diagnosis_json.h"
 
 #include "core/closed/diagnosis_sentence.h"
-#include "core/repair/limits.h"
 #include "io/json/version.h"
 
 namespace coapt {
@@ -35,8 +34,9 @@ Json thresholds() {
       {row("leak_mm2", kMildLeak_mm2, "mm2", "thesis 4.2.3"),
        row("override_mm", kProlapse_mm, "mm", kMade),
        row("override_mm of a segment with ruptured chordae", kFlail_mm, "mm", "assumed"),
-       row("tethering", 0.5, "1", kMade),
-       row("tip_to_trigone_mm", kMostNormalTipToTrigone_mm, "mm", "57 cadavers, mean + sd"),
+       row("tethering", kTethered, "1", kMade),
+       row("tethering beside a prolapse", kTetheredBesides, "1", "assumed"),
+       row("tip_to_trigone_mm beside a prolapse", kFarTip_mm, "mm", "57 cadavers, mean + 2 sd"),
        row("ap_mm", kDilatedAp_mm, "mm", "ESC/EACTS guidelines on valvular heart disease 2012"),
        row("ap_mm over transverse_mm", kRoundAnnulus, "1",
            "healthy 0.75 ± 0.07 (PMC7368231, table 3), mean + 2 sd"),
