@@ -41,6 +41,10 @@ constexpr double kDegenerativeRing =
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
 constexpr const char* kNotTethered = "the leaflets are not tethered";
 
+std::string ring_called(const std::string& shape) {
+  return shape == kOwnShape ? "ring of the annulus's own shape" : shape + " ring";
+}
+
 Side side_of(int index) { return index == 0 ? Side::Anterolateral : Side::Posteromedial; }
 
 int step_count(const Choice& choice) {
@@ -166,12 +170,12 @@ std::vector<std::string> PlanSpace::offer_rings() {
   };
   const auto offer = [&](const std::string& shape, const std::vector<double>& sizes) {
     if (is_forbidden(rules_, "annuloplasty", shape)) {
-      cut_.push_back({"ring " + shape, "forbidden"});
+      cut_.push_back({ring_called(shape), "forbidden"});
     } else if (sizes.empty()) {
-      cut_.push_back({"ring " + shape, "no size is within " + shown(kMostSizesBelow) +
-                                           " sizes of the true size of " +
-                                           in_mm(true_ring_size_mm(valve_)) +
-                                           " and at most half a size wider than the annulus"});
+      cut_.push_back({ring_called(shape), "no size is within " + shown(kMostSizesBelow) +
+                                              " sizes of the true size of " +
+                                              in_mm(true_ring_size_mm(valve_)) +
+                                              " and at most half a size wider than the annulus"});
     } else {
       offered.push_back(shape);
     }
@@ -183,12 +187,12 @@ std::vector<std::string> PlanSpace::offer_rings() {
     offer(kOwnShape, sizes);
   } else {
     cut_.push_back(
-        {"ring own", "no manufacturer offers the valve's own shape; it is available on request"});
+        {ring_called(kOwnShape), "no manufacturer offers it; it is available on request"});
   }
   for (const RingShape& shape : kRingShapes) {
     const std::string name(shape.name);
     if (shape.ap_over_transverse < kDegenerativeRing && !is_indicated(CarpentierType::IIIb)) {
-      cut_.push_back({"ring " + name, kNotTethered});
+      cut_.push_back({ring_called(name), kNotTethered});
       continue;
     }
     sizes.clear();

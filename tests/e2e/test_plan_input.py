@@ -68,7 +68,7 @@ class Rules(Input):
         for plan in result["plans"]:
             self.assertEqual(techniques(plan), {"papillary_approximation"})
             self.assertNotIn("saddle_peak", {step["anchor"] for step in plan["plan"]["steps"]})
-        self.assertIn({"what": "ring own", "why": "forbidden"}, result["cut"])
+        self.assertIn({"what": "ring of the annulus's own shape", "why": "forbidden"}, result["cut"])
 
     def test_the_annulus_s_own_shape_is_offered_on_request(self):
         forbidden = ("--forbid", "papillary_approximation", "--forbid", "annuloplasty:generic-classic")
@@ -95,7 +95,8 @@ class Rules(Input):
         found = json.loads(result.stdout)
         self.assertEqual((found["plans"], found["stop"], found["any_competent"]), ([], "exhausted", False))
         why = {cut["what"]: cut["why"] for cut in found["cut"]}
-        for what in ["ring own", "suture of the anterolateral muscle", "suture of the posteromedial muscle"]:
+        muscles = ["suture of the anterolateral muscle", "suture of the posteromedial muscle"]
+        for what in ["ring of the annulus's own shape", *muscles]:
             self.assertEqual(why[what], "forbidden")
         for what in ["neochordae", "resection", "clip", "cutting of strut chordae", "shortening of chordae"]:
             self.assertIn(what, why)

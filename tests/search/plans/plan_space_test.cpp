@@ -103,7 +103,7 @@ TEST(PlanSpace, IsNotMadeOfRulesThatAreWrongAndIsEmptyIfTheyLeaveNoPlan) {
   EXPECT_TRUE(check_plan_space(small_valve(), closed).empty());
   const PlanSpace empty(small_valve(), closed, diagnosis_of({CarpentierType::IIIb}));
   EXPECT_TRUE(empty.branches().empty());
-  EXPECT_TRUE(is_cut(empty, "ring own", "forbidden"));
+  EXPECT_TRUE(is_cut(empty, "ring of the annulus's own shape", "forbidden"));
   EXPECT_TRUE(is_cut(empty, "suture of the anterolateral muscle", "forbidden"));
   EXPECT_TRUE(check_plan_space(small_valve(), {}).empty());
 }
@@ -123,7 +123,7 @@ TEST(PlanSpace, ARingOfWhichNoSizeSuitsTheAnnulusIsCut) {
   narrow.annulus_mm.col(0) *= 22.0 / 36.0;
   EXPECT_EQ(space_of(narrow).branches().size(), 1u);
   for (const RingShape& shape : kRingShapes)
-    EXPECT_TRUE(is_cut(space_of(narrow), "ring " + std::string(shape.name), "22.0 mm"));
+    EXPECT_TRUE(is_cut(space_of(narrow), std::string(shape.name) + " ring", "22.0 mm"));
 }
 
 TEST(PlanSpace, DesignedShapesAreOfferedBesideTheCatalogue) {
