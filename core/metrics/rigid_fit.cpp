@@ -1,11 +1,14 @@
 #include "core/metrics/rigid_fit.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "core/valve/principal_axes.h"
 
 namespace coapt {
 namespace {
@@ -155,9 +158,7 @@ Axes principal_axes(const Points& vertices_mm, const Faces& faces) {
   Axes axes;
   if (area <= 0.0) return axes;
   axes.centre_mm = first / area;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      second / area - axes.centre_mm * axes.centre_mm.transpose());
-  axes.rotation = solver.eigenvectors();
+  axes.rotation = eigensystem(second / area - axes.centre_mm * axes.centre_mm.transpose()).vectors;
   if (axes.rotation.determinant() < 0.0) axes.rotation.col(0) *= -1.0;
   return axes;
 }

@@ -1,9 +1,9 @@
 #include "core/valve/annulus_frame.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "core/valve/mean_point.h"
+#include "core/valve/principal_axes.h"
 
 namespace coapt {
 namespace {
@@ -23,8 +23,7 @@ AnnulusFrame annulus_frame(const Valve& valve, AnnulusAxis axis) {
   AnnulusFrame frame;
   frame.origin_mm = mean_point(valve.annulus_mm);
   const Points centred = valve.annulus_mm.rowwise() - frame.origin_mm.transpose();
-  const Eigen::Matrix3d scatter = centred.transpose() * centred;
-  frame.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
+  frame.normal = principal_axes(centred).col(0);
   Vec3 twice_area = Vec3::Zero();
   for (Index i = 0; i < centred.rows(); ++i) {
     const Vec3 here = centred.row(i), next = centred.row((i + 1) % centred.rows());

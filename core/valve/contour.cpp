@@ -1,11 +1,12 @@
 #include "core/valve/contour.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/valve/mean_point.h"
+#include "core/valve/principal_axes.h"
 
 namespace coapt {
 namespace {
@@ -30,9 +31,7 @@ double projected_area(const Points& contour) {
 /// Direction of the largest spread of a point cloud about its mean.
 Vec3 main_direction(const Points& points, int rank) {
   const Vec3 mean = mean_point(points);
-  const Points centred = points.rowwise() - mean.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
-  return solver.eigenvectors().col(rank);
+  return principal_axes(points.rowwise() - mean.transpose()).col(rank);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "io/image/label_curve.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +8,7 @@
 #include <numbers>
 
 #include "core/valve/number_text.h"
+#include "core/valve/principal_axes.h"
 #include "io/image/label_voxels.h"
 
 namespace coapt {
@@ -61,8 +61,7 @@ class Centres {
     each([&](const Eigen::RowVector3d& point) {
       spread += (point - middle).transpose() * (point - middle);
     });
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    return solver.eigenvectors().rowwise().reverse();
+    return eigensystem(spread).vectors.rowwise().reverse();
   }
 
  private:

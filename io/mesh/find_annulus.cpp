@@ -1,6 +1,5 @@
 #include "io/mesh/find_annulus.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
+#include "core/valve/principal_axes.h"
 #include "io/mesh/sheet_repair.h"
 
 namespace coapt {
@@ -103,10 +103,7 @@ Points annular_stretch(const Points& framed, double depth_mm, const Points& othe
 }
 
 Vec3 least_square_normal(const Points& points) {
-  const Points centred = points.rowwise() - points.colwise().mean();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred)
-      .eigenvectors()
-      .col(0);
+  return principal_axes(points.rowwise() - points.colwise().mean()).col(0);
 }
 
 /// How far the smaller of both sheets' sides goes where they lie on either side of the loop's plane: about 0 of an annulus.
@@ -286,8 +283,7 @@ Expected<FoundAnnulus> find_annulus(const ImportSource& source) {
   const Points centred = all.rowwise() - centre.transpose();
   const double depth_mm = centred.rowwise().norm().mean();
   if (!(depth_mm > 0.0)) return unknown("all their points are the same");
-  const Eigen::Matrix3d principal =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred).eigenvectors();
+  const Eigen::Matrix3d principal = principal_axes(centred);
   std::vector<Candidate> found;
   for (const Vec3& direction : directions()) {
     const Vec3 axis = principal * direction;

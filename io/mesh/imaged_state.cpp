@@ -1,10 +1,10 @@
 #include "io/mesh/imaged_state.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cstdint>
 
 #include "core/metrics/raster.h"
+#include "core/valve/principal_axes.h"
 
 namespace coapt {
 namespace {
@@ -19,8 +19,7 @@ StateSigns imaged_state(const std::vector<TriangleMesh>& leaflets, const Points&
                         double thickness_mm, const ClosureBudget& budget) {
   const Eigen::RowVector3d centre = annulus_mm.colwise().mean();
   const Points centred = annulus_mm.rowwise() - centre;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
-  const Eigen::Matrix<double, 3, 2> plane = solver.eigenvectors().rightCols(2);
+  const Eigen::Matrix<double, 3, 2> plane = principal_axes(centred).rightCols(2);
   const Eigen::MatrixX2d loop = centred * plane;
   const Eigen::RowVector2d low_mm = loop.colwise().minCoeff();
   const double pixel_mm = (loop.colwise().maxCoeff() - low_mm).maxCoeff() / kLattice;

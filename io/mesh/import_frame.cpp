@@ -1,6 +1,5 @@
 #include "io/mesh/import_frame.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
@@ -9,6 +8,7 @@
 
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
+#include "core/valve/principal_axes.h"
 #include "core/valve/problem_list.h"
 #include "io/mesh/given_landmarks.h"
 #include "io/mesh/import_sheets.h"
@@ -192,9 +192,9 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
   const bool closed = options.closed;
   const Vec3 origin = mean_by_arc(annulus);
   const Points centred = annulus.rowwise() - origin.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centred.transpose() * centred);
+  const Eigen::Matrix3d axes = principal_axes(centred);
   const std::vector<ImportedTip> tips = all_tips(source);
-  Vec3 z = solver.eigenvectors().col(0), x;
+  Vec3 z = axes.col(0), x;
   Frame frame{origin, {}, {}};
   if (tips.empty()) {
     const Vec3 middle = 0.5 * (centroid(source.leaflets[0]) + centroid(source.leaflets[1]));

@@ -1,6 +1,5 @@
 #include "io/mesh/leaflet_order.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "core/metrics/surface_tree.h"
 #include "core/valve/contour.h"
 #include "core/valve/number_text.h"
+#include "core/valve/principal_axes.h"
 #include "io/mesh/import_sheets.h"
 
 namespace coapt {
@@ -40,10 +40,7 @@ double tallest_mm(const TriangleMesh& sheet, const Points& annulus_mm) {
 /// To the atrium: away from where the sheets hang. Zero where they lie in the annulus's plane.
 Vec3 atrial_normal(const std::vector<TriangleMesh>& leaflets, const Points& annulus_mm) {
   const Eigen::RowVector3d centre = annulus_mm.colwise().mean();
-  const Points centred = annulus_mm.rowwise() - centre;
-  const Vec3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred)
-                          .eigenvectors()
-                          .col(0);
+  const Vec3 normal = principal_axes(annulus_mm.rowwise() - centre).col(0);
   double hanging_mm = 0.0;
   for (const TriangleMesh& sheet : leaflets)
     hanging_mm += 0.5 * normal.dot(Vec3((sheet.vertices_mm.colwise().mean() - centre)));

@@ -1,6 +1,6 @@
 #include "io/mesh/plausibility.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +10,7 @@
 #include "core/valve/contour.h"
 #include "core/valve/median.h"
 #include "core/valve/number_text.h"
+#include "core/valve/principal_axes.h"
 #include "core/valve/vertex_normals.h"
 #include "io/mesh/sheet_repair.h"
 #include "io/mesh/source_units.h"
@@ -139,8 +140,7 @@ Expected<std::vector<ImportDecision>> contour_checks(const Points& annulus_mm) {
   if (annulus_mm.rows() < 6 || !annulus_mm.allFinite()) return std::vector<ImportDecision>{};
   const Vec3 centre = arc_centroid(annulus_mm);
   const Points centred = annulus_mm.rowwise() - centre.transpose();
-  const Eigen::Matrix3d axes =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred.transpose() * centred).eigenvectors();
+  const Eigen::Matrix3d axes = principal_axes(centred);
   const Eigen::MatrixX2d flat = centred * axes.rightCols<2>();
   std::vector<double> sides;
   double turned = 0.0, longest = 0.0, gap_deg = 0.0;
@@ -211,7 +211,7 @@ std::vector<ImportDecision> thickness_checks(const std::vector<TriangleMesh>& le
   const Fit m = system.ldlt().solve(right);
   Eigen::Matrix3d matrix;
   matrix << m[0], m[3], m[5], m[3], m[1], m[4], m[5], m[4], m[2];
-  const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix).eigenvalues();
+  const Vec3 eigenvalues = eigensystem(matrix).values;
   const double ratio = std::sqrt(eigenvalues[2] / std::max(1e-9, eigenvalues[0]));
   if (!(ratio > kStretched)) return {};
   return {
