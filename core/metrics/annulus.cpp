@@ -34,10 +34,11 @@ AnnulusMeasure measure_annulus(const Valve& valve) {
     const Vec2 mid_posterior =
         project(plane, annulus_position_mm(valve, valve.landmarks.mid_posterior));
     measure.ap_mm = (saddle_peak - mid_posterior).norm();
+    measure.al_pm_mm = transverse_diameter_mm(valve);
   } else {
     measure.ap_mm = extent_mm(plane.y);
+    measure.al_pm_mm = extent_mm(plane.x);
   }
-  measure.al_pm_mm = extent_mm(plane.x);
   measure.saddle_height_mm = extent_mm(plane.normal);
   measure.area_mm2 = polygon_area(annulus_polygon(valve, plane));
   for (Index i = 0; i < loop.rows(); ++i)

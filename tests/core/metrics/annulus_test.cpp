@@ -41,6 +41,13 @@ TEST(Annulus, ASaddleHasItsHeightAndTheProjectedDimensionsOfTheEllipse) {
   EXPECT_GT(measure.circumference_mm, 107.7);
 }
 
+TEST(Annulus, TheTransverseDiameterIsTheSameWhereverCommissuresLie) {
+  Valve askew = elliptic_annulus(0.0);
+  askew.landmarks.anterolateral_commissure += 3;
+  EXPECT_NEAR(measure_annulus(askew).al_pm_mm, 40.0, 1e-9);
+  EXPECT_EQ(measure_annulus(askew).al_pm_mm, transverse_diameter_mm(askew));
+}
+
 TEST(Annulus, RigidMotionChangesNothing) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.translate(Vec3(-3.0, 40.0, 12.0));
