@@ -38,11 +38,13 @@ std::vector<DrawnOpenings> open_under_draws(const PlanEvaluations& evaluations,
   if (!evaluations.opens()) return all;
   std::vector<Task> tasks;
   for (std::size_t of = 0; of < plans.size(); ++of) {
+    const PlanRecord* const plan = plans[of];
+    if (plan != nullptr && !(plan->opening && trusted(*plan->opening))) continue;
     if (!model.contradicts && !model.before.empty())
       add_evenly(tasks, static_cast<int>(model.picked.size()), [&](int i) {
         return Task{.of = of, .draw = model.picked[static_cast<std::size_t>(i)]};
       });
-    if (plans[of] != nullptr && !plans[of]->plan.steps.empty())
+    if (plan != nullptr && !plan->plan.steps.empty())
       add_evenly(tasks, kIndependent.count,
                  [&](int i) { return Task{.of = of, .error = kIndependent.first + i}; });
   }

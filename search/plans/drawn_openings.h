@@ -17,7 +17,7 @@ struct DrawnOpenings {
   std::vector<PlanOpening> draws, errors;
 };
 
-/// Of each plan, on all threads; none without an opener, and fewer if the search was cancelled.
+/// Of each plan whose opening as planned is to be trusted, on all threads; none without an opener, and fewer if the search was cancelled.
 /// @param plans null: the valve as it is, which no hand has touched
 std::vector<DrawnOpenings> open_under_draws(const PlanEvaluations& evaluations,
                                             const std::vector<const PlanRecord*>& plans,

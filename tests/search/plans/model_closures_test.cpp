@@ -163,11 +163,11 @@ TEST(DrawnOpenings, AreOfTheDrawsOfClosuresAndOfErrorsOfTheHand) {
   PlanEvaluationOptions options = on_threads(2);
   options.open = opened_by_stiffness;
   EvaluationScene scene(leak_of(stiffness), std::move(options));
-  const PlanRecord& ring = scene.closed(own_ring(1), 1);
-  const ModelClosures model =
-      close_under_draws(scene.evaluations, {&scene.evaluations.record(own_ring(1))}, kDraws);
+  PlanRecord* const ring = &scene.closed(own_ring(1), 1);
+  ASSERT_TRUE(scene.evaluations.open({&ring, 1}, PlanEvaluations::Phase::Ranking));
+  const ModelClosures model = close_under_draws(scene.evaluations, {ring}, kDraws);
   const std::vector<DrawnOpenings> drawn =
-      open_under_draws(scene.evaluations, {nullptr, &ring}, model);
+      open_under_draws(scene.evaluations, {nullptr, ring}, model);
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_TRUE(drawn[0].errors.empty()) << "no hand has touched the valve as it is";
   ASSERT_EQ(std::ssize(drawn[0].draws), kDraws);
@@ -190,10 +190,13 @@ TEST(DrawnOpenings, AreNoneWithoutAnOpenerAndNoDrawsThatObservationsContradict) 
   PlanEvaluationOptions options = on_threads(1);
   options.open = opened_by_stiffness;
   EvaluationScene scene(leak_of(stiffness), std::move(options));
-  const PlanRecord& ring = scene.closed(own_ring(1), 1);
+  PlanRecord* const ring = &scene.closed(own_ring(1), 1);
   ModelClosures model = close_under_draws(scene.evaluations, {}, kDraws);
+  EXPECT_TRUE(open_under_draws(scene.evaluations, {ring}, model)[0].draws.empty())
+      << "it was not opened as planned";
+  ASSERT_TRUE(scene.evaluations.open({&ring, 1}, PlanEvaluations::Phase::Ranking));
   model.contradicts = true;
-  const DrawnOpenings drawn = open_under_draws(scene.evaluations, {&ring}, model)[0];
+  const DrawnOpenings drawn = open_under_draws(scene.evaluations, {ring}, model)[0];
   EXPECT_TRUE(drawn.draws.empty());
   EXPECT_EQ(std::ssize(drawn.errors), kDrawnOpenings);
 }
