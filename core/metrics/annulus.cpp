@@ -28,17 +28,9 @@ AnnulusMeasure measure_annulus(const Valve& valve) {
     return along.maxCoeff() - along.minCoeff();
   };
   AnnulusMeasure measure;
-  if (is_mitral(valve)) {
-    const Vec2 saddle_peak =
-        project(plane, annulus_position_mm(valve, valve.landmarks.saddle_peak));
-    const Vec2 mid_posterior =
-        project(plane, annulus_position_mm(valve, valve.landmarks.mid_posterior));
-    measure.ap_mm = (saddle_peak - mid_posterior).norm();
-    measure.al_pm_mm = transverse_diameter_mm(valve);
-  } else {
-    measure.ap_mm = extent_mm(plane.y);
-    measure.al_pm_mm = extent_mm(plane.x);
-  }
+  const bool mitral = is_mitral(valve);
+  measure.ap_mm = mitral ? ap_diameter_mm(valve) : extent_mm(plane.y);
+  measure.al_pm_mm = mitral ? transverse_diameter_mm(valve) : extent_mm(plane.x);
   measure.saddle_height_mm = extent_mm(plane.normal);
   measure.area_mm2 = polygon_area(annulus_polygon(valve, plane));
   for (Index i = 0; i < loop.rows(); ++i)

@@ -14,8 +14,7 @@ std::vector<Vec2> annulus_polygon(const Valve& valve, const AnnulusFrame& plane)
 double polygon_area(const std::vector<Vec2>& polygon);
 
 struct AnnulusMeasure {
-  /// Saddle peak to mid-posterior, projected on the annulus's PCA plane, and transverse_diameter_mm(); of a valve that is not
-  /// mitral its extents along y and x.
+  /// ap_diameter_mm() and transverse_diameter_mm(); of a valve that is not mitral its extents along y and x.
   double ap_mm = 0.0, al_pm_mm = 0.0;
   double circumference_mm = 0.0;
   double area_mm2 = 0.0;          ///< projected on that plane
