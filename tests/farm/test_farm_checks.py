@@ -13,7 +13,7 @@ class Checks(FarmTest):
 
     def test_a_worker_that_answers_wrongly_is_found_and_its_answers_are_replaced(self):
         request = Request(300, ms=1)
-        coordinator = self.coordinator(request, "--check-share", "0.5")
+        coordinator = self.coordinator(request, "--check-share", "0.5", "--recompute", "0")
         # Without another one alive the wrong one would check itself.
         right = self.stopped_worker("--name", "right", items=0, lease=60, url=self.one)
         self.worker("--name", "wrong", TOY_FLIP="0.5", url=self.two)
