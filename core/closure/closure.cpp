@@ -136,7 +136,7 @@ std::vector<Rung> fast_ladder(const ClosureModel& model, const ClosureOptions& o
   plain.residual_tolerance = options.residual_tolerance;
   plain.way_tolerance_mm = options.way_tolerance_mm;
   plain.max_steps = options.max_steps > 0 ? options.max_steps : fast_steps(model);
-  plain.longest_move_mm *= options.speed;
+  plain.longest_move_mm = options.speed * prepared.longest_move_mm();
   plain.contact = prepared.contact();
   plain.layout = &prepared.layout();
   plain.samples = options.samples;

@@ -104,7 +104,7 @@ struct LiveValve::State {
   void begin(const Points& start_mm) {
     settings.contact = prepared->contact();
     settings.layout = &prepared->layout();
-    settings.longest_move_mm = kLongestMove_mm;
+    settings.longest_move_mm = most_move_mm();
     moving.emplace(model, settings, start_mm);
     guarded = false;
     looks = 0;
@@ -186,7 +186,7 @@ struct LiveValve::State {
       if (beat_steps <= 0 || still_steps >= kStill_steps) return end_beat();
     }
     if (moving->crossings().empty() && !has_diverged(moving->positions())) {
-      settings.longest_move_mm = std::min(kLongestMove_mm, kLonger * settings.longest_move_mm);
+      settings.longest_move_mm = std::min(most_move_mm(), kLonger * settings.longest_move_mm);
       keep();
     } else if (looks % kLooksToReturn == 0) {
       go_back();
@@ -194,11 +194,17 @@ struct LiveValve::State {
     if (beat_due && still_steps >= kStill_steps && may_beat()) start_beat();
   }
 
-  /// Under pressure, and in nobody's hand.
-  bool may_beat() const {
-    return pressure_mmhg > 0.0 && std::none_of(hooks.begin(), hooks.end(),
-                                               [](const auto& held) { return held.has_value(); });
+  bool is_in_hand() const {
+    return std::any_of(hooks.begin(), hooks.end(),
+                       [](const auto& held) { return held.has_value(); });
   }
+
+  /// As a closure; in a hand, no slower than the hand.
+  double most_move_mm() const {
+    return is_in_hand() ? kLongestMove_mm : prepared->longest_move_mm();
+  }
+
+  bool may_beat() const { return pressure_mmhg > 0.0 && !is_in_hand(); }
 
   void hold(int at, std::vector<NodeShare> shares) {
     const Vec3 spot = mean_position(shares, shown_mm);

@@ -37,6 +37,20 @@ std::vector<Segment> held_segments(const Valve& valve) {
   return held;
 }
 
+bool holds_all_scallops(const Valve& valve) {
+  std::vector<Segment> held;
+  for (const Chorda& chorda : valve.chordae) {
+    const bool holds = chorda.kind == ChordaKind::Marginal || chorda.kind == ChordaKind::Neochorda;
+    if (!holds || chorda.ruptured) continue;
+    for (const ChordaSegment& segment : chorda.segments)
+      if (segment.inserts)
+        held.push_back(valve.segments[static_cast<std::size_t>(segment.insertion.face)]);
+  }
+  return std::all_of(kScallops.begin(), kScallops.end(), [&](Segment scallop) {
+    return std::find(held.begin(), held.end(), scallop) != held.end();
+  });
+}
+
 Valve with_ruptured(Valve valve, Segment segment) {
   for (Chorda& chorda : valve.chordae)
     if (holds_still(valve, chorda, segment)) chorda.ruptured = true;

@@ -19,6 +19,10 @@ std::vector<Segment> held_segments(const Valve& valve);
 /// commissural: it inserts at a commissure, or in both leaflets.
 std::optional<Segment> held_by(const Valve& valve, const Chorda& chorda);
 
+/// Whether a marginal chorda that is not ruptured, or a neochorda, inserts in each scallop.
+/// @pre the valve is mitral.
+bool holds_all_scallops(const Valve& valve);
+
 /// The valve with the marginal chordae that hold a segment ruptured.
 /// @pre the valve is mitral.
 Valve with_ruptured(Valve valve, Segment segment);

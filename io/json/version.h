@@ -12,7 +12,7 @@ inline constexpr std::string_view kResearchNotice =
     "coapt is research software, not a medical device; not for clinical decisions.";
 
 /// Raised with every change of the code that moves a closure or its leak: what is stored is then closed again.
-inline constexpr int kClosureRevision = 10;
+inline constexpr int kClosureRevision = 11;
 /// Likewise of what else decides a PlanClosure: plan_key(), apply_plan(), kRingShapes, the disturbance of an index, the
 /// neighbour that its closure starts from, what is measured of it.
 inline constexpr int kPlanRevision = 12;

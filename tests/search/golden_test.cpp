@@ -117,7 +117,7 @@ std::vector<Scene> scenes() {
       {"normal", preset("human-normal"), continuum, fast, {0xf26164dcb6a70bd6}},
       {"normal", preset("human-normal"), springs, Method::Thesis, {0xe932ce9c8f3407fa}},
       {"functional", preset("human-functional-mr"), springs, fast, {0x6ce0418b19877955}},
-      {"prolapse", preset("human-p2-prolapse"), springs, fast, {0xe124a15908ecded7}},
+      {"prolapse", preset("human-p2-prolapse"), springs, fast, {0xf156e61585de1e2c}},
       {"porcine", preset("porcine-thesis"), continuum, fast, {0x531fa016d5602094}},
       {"displaced", displaced(), springs, fast, {0xfd940d8859a3d409}},
       {"displaced", displaced(), continuum, fast, {0xccc09c7f0f101bb9}},
