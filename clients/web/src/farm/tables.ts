@@ -11,8 +11,12 @@ type Worker = Farm['workers'][number]
 
 const DIGITS_BELOW = 10 // of a rate that has one after the point
 
+function itemsPerS(per_s: number): string {
+  return number(per_s, per_s < DIGITS_BELOW ? 1 : 0)
+}
+
 export function rate(per_s: number): string {
-  return `${number(per_s, per_s < DIGITS_BELOW ? 1 : 0)}/s`
+  return `${itemsPerS(per_s)}/s`
 }
 
 /// "3 workers compute 240 items a second; 2 runs are open."
@@ -22,7 +26,7 @@ export function headline({ runs, workers }: Farm): string {
   const together = alive.reduce((sum, worker) => sum + worker.rate_per_s, 0)
   const standing = open === 0 ? 'no run is open' : open === 1 ? 'one run is open' : `${open} runs are open`
   if (alive.length === 0) return `No worker is running; ${standing}.`
-  return `${alive.length === 1 ? 'One worker computes' : `${alive.length} workers compute`} ${rate(together)}; ${standing}.`
+  return `${alive.length === 1 ? 'One worker computes' : `${alive.length} workers compute`} ${itemsPerS(together)} items a second; ${standing}.`
 }
 
 const STATES: Record<Run['state'], [words: string, tone: string]> = {

@@ -29,7 +29,7 @@ test('runs and workers are shown, and again while they change', async () => {
   )
   await page.reload()
   await page.getByRole('link', { name: 'Farm' }).click()
-  await page.getByText('One worker computes 121/s; one run is open.').waitFor()
+  await page.getByText('One worker computes 121 items a second; one run is open.').waitFor()
   await page.getByText('1 with conflicting results').waitFor()
   assert.equal(await page.getByRole('progressbar', { name: 'Run 12' }).getAttribute('value'), '13')
   done = 14

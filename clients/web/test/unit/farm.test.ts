@@ -22,9 +22,11 @@ const run = {
 test('the headline counts workers that are alive and runs that are open', () => {
   const gone = { ...worker, alive: false }
   const barred = { ...worker, barred: true }
-  expect(headline({ runs: [run], workers: [worker, gone, barred] })).toBe('One worker computes 120/s; one run is open.')
+  expect(headline({ runs: [run], workers: [worker, gone, barred] })).toBe(
+    'One worker computes 120 items a second; one run is open.',
+  )
   expect(headline({ runs: [{ ...run, state: 'done' }], workers: [worker, worker] })).toBe(
-    '2 workers compute 241/s; no run is open.',
+    '2 workers compute 241 items a second; no run is open.',
   )
   expect(headline({ runs: [run, run], workers: [gone] })).toBe('No worker is running; 2 runs are open.')
 })
