@@ -107,19 +107,23 @@ Expected<std::vector<ImportedTip>> read_tips(std::string_view text, const std::s
 
 namespace {
 
+/// Of words of a file those that may be repeated: others may name a patient.
+bool is_plain(std::string_view word) {
+  constexpr std::size_t kLongest = 20;
+  return word.size() <= kLongest && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+           return std::isalpha(c) != 0 || c == '_';
+         });
+}
+
 /// Columns or arrays that are not used: said once a file, by name where that is a plain word.
 void tell_left_over(const std::string& part, const char* what, const LeftOver& left,
                     ImportSource& source) {
-  constexpr std::size_t kMostNamed = 5, kLongest = 20;
+  constexpr std::size_t kMostNamed = 5;
   if (left.names.empty()) return;
   std::string named;
   std::size_t count = 0;
   for (const std::string& name : left.names) {
-    const bool plain =
-        name.size() <= kLongest && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-          return std::isalpha(c) != 0 || c == '_';
-        });
-    if (!plain || count == kMostNamed) continue;
+    if (!is_plain(name) || count == kMostNamed) continue;
     named += (count++ == 0 ? ": " : ", ") + name;
   }
   if (const std::size_t others = left.names.size() - count; count > 0 && others > 0)
@@ -278,12 +282,19 @@ void smooth_few_points(ImportSource& source) {
            significant(100.0 * (1.0 - polygon / ArcLength(*drawn).total_mm()), 2) + " % shorter"});
 }
 
-/// The columns of a table that none of its readers looks at; of Slicer's own tables that is most of them.
+/// The columns of a table that none of its readers looks at (of Slicer's own tables that is most of them), and a unit that is none.
 void tell_columns(const NamedFile& file, const std::string& part,
                   std::initializer_list<std::string_view> used, ImportSource& source) {
   const std::string format = format_of(file.name);
-  if (is_table_format(format) && format != "fcsv")
-    tell_left_over(part, "columns", unused_columns(file.bytes, used), source);
+  if (!is_table_format(format)) return;
+  if (format != "fcsv") tell_left_over(part, "columns", unused_columns(file.bytes, used), source);
+  if (const std::string stated = no_unit(file.bytes, used); !stated.empty())
+    source.decisions.push_back(
+        {"units",
+         part + ": " + (is_plain(stated) ? '"' + stated + '"' : "what is stated") + " is ignored",
+         "the names of its columns state it, and it is no unit of length (mm, cm, m, in); use "
+         "--units to say which",
+         true});
 }
 
 void take_annulus(const NamedFile& file, AxesOfFiles& axes, ImportSource& source,

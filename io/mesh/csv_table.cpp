@@ -129,10 +129,26 @@ bool is_coordinate(std::string_view name) {
           std::string_view("xyz").find(name.back()) != std::string_view::npos);
 }
 
-std::string unit_of_coordinates(const CsvTable& table) {
-  for (std::size_t i = 0; i < std::min(table.names.size(), table.units.size()); ++i)
-    if (is_coordinate(table.names[i]) && !table.units[i].empty()) return table.units[i];
-  return {};
+/// "RAS", "l", "0": brackets hold these, too.
+bool is_axes_or_number(std::string_view word) {
+  return std::all_of(word.begin(), word.end(),
+                     [](unsigned char letter) { return std::isdigit(letter) != 0; }) ||
+         (word.size() <= 3 && std::all_of(word.begin(), word.end(), [](unsigned char letter) {
+            return std::string_view("rlaspi").find(static_cast<char>(std::tolower(letter))) !=
+                   std::string_view::npos;
+          }));
+}
+
+void take_unit_of_coordinates(CsvTable& table) {
+  table.unit.clear();
+  table.no_unit.clear();
+  for (std::size_t i = 0; i < std::min(table.names.size(), table.units.size()); ++i) {
+    const std::string& unit = table.units[i];
+    if (unit.empty() || !is_coordinate(table.names[i])) continue;
+    if (table.unit.empty()) table.unit = unit;
+    if (table.no_unit.empty() && !unit_named(unit) && !is_axes_or_number(unit))
+      table.no_unit = unit;
+  }
 }
 
 }  // namespace
@@ -186,7 +202,7 @@ Expected<CsvTable> read_csv(std::string_view text,
       if (auto names = names_in(content, comment, columns); !names.empty()) {
         table.names = std::move(names);
         table.units = units_in(content);
-        table.unit = unit_of_coordinates(table);
+        take_unit_of_coordinates(table);
         continue;
       }
     }
@@ -194,7 +210,7 @@ Expected<CsvTable> read_csv(std::string_view text,
     if (table.rows.empty() && !table.names.empty())
       if (std::vector<std::string> units = unit_row(content); !units.empty()) {
         table.units = std::move(units);
-        table.unit = unit_of_coordinates(table);
+        take_unit_of_coordinates(table);
         continue;
       }
     if (separator == 0) {

@@ -236,6 +236,11 @@ std::optional<LengthUnit> stated_unit(std::string_view table,
   return read ? unit_named(read->unit) : std::nullopt;
 }
 
+std::string no_unit(std::string_view table, std::initializer_list<std::string_view> columns) {
+  const Expected<CsvTable> read = read_csv(table, columns);
+  return read ? read->no_unit : "";
+}
+
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"papillary", "label"});
   if (!table) return table.errors();

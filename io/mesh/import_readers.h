@@ -17,6 +17,9 @@ Expected<Points> read_points_csv(std::string_view text);
 std::optional<LengthUnit> stated_unit(std::string_view table,
                                       std::initializer_list<std::string_view> columns = {"x"});
 
+/// What its coordinates state as a unit of length that is none ("px"); empty: nothing.
+std::string no_unit(std::string_view table, std::initializer_list<std::string_view> columns);
+
 /// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 

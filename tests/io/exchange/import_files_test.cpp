@@ -367,6 +367,20 @@ TEST(ImportFiles, ColumnsThatNothingReadsAreSaidOnceAndByPlainNamesAlone) {
   EXPECT_EQ(source->decisions[1].subject, "axes");
 }
 
+TEST(ImportFiles, UnitsThatAreNoneAreDoubted) {
+  for (const auto& [unit, value] : {std::pair("px", "annulus: \"px\" is ignored"),
+                                    {"DOE^JANE", "annulus: what is stated is ignored"}}) {
+    ImportFiles files = with_head("# SPACE=LPS\n");
+    const std::string in = std::string(" [") + unit + "],";
+    files.annulus = {"a.csv", "x" + in + "y" + in + "z" + in + "\n1,2,3,\n4,5,6,\n"};
+    const Expected<ImportSource> source = read_import_files(files);
+    ASSERT_TRUE(source) << source.errors()[0].message;
+    EXPECT_EQ(source->decisions[0].subject, "units");
+    EXPECT_EQ(source->decisions[0].value, value);
+    EXPECT_TRUE(source->decisions[0].look);
+  }
+}
+
 TEST(ImportFiles, ArraysThatNothingReadsAreSaid) {
   ImportFiles files;
   files.leaflets = {

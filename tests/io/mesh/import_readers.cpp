@@ -150,6 +150,16 @@ TEST(ImportReaders, NamesOfAxesStateTheUnit) {
     EXPECT_EQ(stated_unit(names + std::string("\n1,2,3\n")), unit) << names;
 }
 
+TEST(ImportReaders, NamesOfAxesMayStateWhatIsNoUnit) {
+  for (const auto& [names, stated] : {std::pair("x [px],y [px],z [px]", "px"),
+                                      {"x [cm],y [voxel],z", "voxel"},
+                                      {"x [cm],y,z", ""},
+                                      {"x (LPS),y (LPS),z (LPS)", ""},
+                                      {"x [0],y [1],z [2]", ""},
+                                      {"x,y,z,score [px]", ""}})
+    EXPECT_EQ(no_unit(names + std::string("\n1,2,3\n"), {"x"}), stated) << names;
+}
+
 TEST(ImportReaders, ColumnsOfDifferentUnitsBecomeThatOfTheFirst) {
   for (const char* table : {"x [mm],y [mm],z [cm]\n10,20,3\n", "x,y,z\nmm,mm,cm\n10,20,3\n",
                             "z_cm,x_mm,y_mm\n3,10,20\n"}) {
