@@ -125,7 +125,7 @@ std::string words(Anatomy&, const PapillaryApproximation& step) {
       anchor = annulus_place(step.annulus_around);
       break;
   }
-  return std::string("papillary approximation: ") + to_string(step.side) + " muscle to " + anchor +
+  return std::string("papillary relocation: ") + to_string(step.side) + " muscle to " + anchor +
          ", suture " + shown(step.suture_length_mm) + " mm";
 }
 

@@ -100,8 +100,8 @@ inline RankedPlan first() {
       PapillaryApproximation{Side::Posteromedial, Anchor::SaddlePeak, 0.25, 24.0}};
   plan.description = {
       "annuloplasty: generic-classic ring, size 32 mm",
-      "papillary approximation: anterolateral muscle to its trigone, suture 21.5 mm",
-      "papillary approximation: posteromedial muscle to the saddle peak, suture 24 mm"};
+      "papillary relocation: anterolateral muscle to its trigone, suture 21.5 mm",
+      "papillary relocation: posteromedial muscle to the saddle peak, suture 24 mm"};
   plan.cost = 6.42;
   plan.subset_cost = 6.1;
   plan.subset_nodes = 17;
@@ -169,7 +169,7 @@ inline RankedPlan third() {
   plan.name = "own/suture.json";
   plan.plan.steps = {PapillaryApproximation{Side::Posteromedial, Anchor::AnnulusPoint, 0.31, 19.0}};
   plan.description = {
-      "papillary approximation: posteromedial muscle to the annulus, 24 % of the way from the "
+      "papillary relocation: posteromedial muscle to the annulus, 24 % of the way from the "
       "saddle peak to the anterolateral commissure, suture 19 mm"};
   plan.cost = 10034.2;
   plan.subset_cost = 10034.2;

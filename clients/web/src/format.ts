@@ -72,7 +72,7 @@ export function typeset(text: string): string {
   return text.replaceAll(/\b([cm]m)2\b/g, '$1²')
 }
 
-/// "papillary_approximation" -> "papillary approximation"
+/// "effective_leak" -> "effective leak"
 export function words(name: string): string {
   return name.replaceAll('_', ' ')
 }

@@ -27,11 +27,11 @@ TEST(Describe, NamesSegments) {
 
 TEST(Describe, SpeaksOfSuturesAndChordae) {
   EXPECT_EQ(line(PapillaryApproximation{.side = Side::Posteromedial, .suture_length_mm = 31.5}),
-            "papillary approximation: posteromedial muscle to its trigone, suture 31.5 mm");
+            "papillary relocation: posteromedial muscle to its trigone, suture 31.5 mm");
   EXPECT_EQ(
       line(PapillaryApproximation{
           .side = Side::Anterolateral, .anchor = Anchor::SaddlePeak, .suture_length_mm = 30.0}),
-      "papillary approximation: anterolateral muscle to the saddle peak, suture 30 mm");
+      "papillary relocation: anterolateral muscle to the saddle peak, suture 30 mm");
   EXPECT_EQ(line(ChordalLengthChange{"AL1-P1-marginal-1", -2.0}),
             "shorten chorda AL1-P1-marginal-1 by 2 mm");
   EXPECT_EQ(line(ChordalExcision{"PM1-A2-strut-1"}), "excise chorda PM1-A2-strut-1");
