@@ -28,7 +28,10 @@ std::size_t sequence_length(std::string_view text) {
 
 /// What moves a terminal or turns the order of what follows: C0, DEL, C1, and the signs that override direction.
 bool is_control(std::string_view letter) {
-  if (letter.size() == 1) return (letter[0] >= '\0' && letter[0] < ' ') || letter[0] == '\x7F';
+  if (letter.size() == 1) {
+    const auto code = static_cast<unsigned char>(letter[0]);  // a char is unsigned on ARM
+    return code < 0x20 || code == 0x7F;
+  }
   if (letter.size() == 2) return letter >= "\xC2\x80" && letter <= "\xC2\x9F";
   return (letter >= "\xE2\x80\xAA" && letter <= "\xE2\x80\xAE") ||
          (letter >= "\xE2\x81\xA6" && letter <= "\xE2\x81\xA9");
