@@ -21,6 +21,13 @@ def limits(unit):
 
 
 class Deploy(ProgramTest):
+    def test_the_packages_are_built_of_what_the_build_needs(self):
+        control = (SOURCE / "debian/control").read_text()
+        asked = re.findall(r"[\w.+-]+", control[: control.index("Standards-Version:")].split("Build-Depends:")[1])
+        rows = (SOURCE / "cmake/packages.txt").read_text()
+        needed = {package for package in re.findall(r"^build +(\S+)", rows, re.M) if package != "g++"}
+        self.assertEqual(set(asked) - {"debhelper-compat", "13", "dh-sequence-python3", "scdoc"}, needed)
+
     def test_the_packages_units_have_the_limits_of_the_examples(self):
         self.assertEqual(limits(PACKAGED), limits(UNIT))
         self.assertEqual(limits(PACKAGED_WORKER), limits(WORKER))
