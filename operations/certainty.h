@@ -6,8 +6,8 @@ namespace coapt {
 /// How much time the leak is worth; how meshes are refined: core/closed/mesh_convergence.h.
 enum class Certainty {
   Quick,  ///< the mesh as given
-  Sure,   ///< and one of four times the triangles
-  Proof   ///< finer and finer ones until the leak settles
+  Sure,   ///< and one of four times the triangles, and at half the speed
+  Proof   ///< and finer and finer ones until the leak settles
 };
 
 inline const char* to_string(Certainty certainty) {

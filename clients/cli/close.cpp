@@ -140,11 +140,12 @@ void add_close(Command parent, int& status) {
   for (const Certainty word : {Certainty::Quick, Certainty::Sure, Certainty::Proof})
     certainties[to_string(word)] = word;
   command
-      .add_choice("--certainty", arguments->certainty, certainties,
-                  "Effort spent on the mesh error of the leak: quick (default), the mesh as given; "
-                  "sure, also "
-                  "four times the triangles; proof, finer and finer meshes until the leak settles, "
-                  "as --converge does")
+      .add_choice(
+          "--certainty", arguments->certainty, certainties,
+          "Effort spent on the numerical error of the leak: quick (default), the mesh as given; "
+          "sure, also four times the triangles, and the mesh as given at half the speed, which may "
+          "end in another "
+          "shape; proof, also finer and finer meshes until the leak settles, as --converge does")
       .show_argument("WORD");
   add_converge_option(command, arguments->converge);
   add_material_option(command, arguments->material);

@@ -154,6 +154,15 @@ void print_limit(std::ostream& out, const Json& convergence) {
   out << '\n';
 }
 
+/// Where it matters beside the digits that are printed.
+void print_other_end(std::ostream& out, const Json& convergence) {
+  constexpr double kNamed_mm2 = 0.5;
+  const double other = number_of(convergence["other_end_mm2"]);
+  if (!(std::abs(other) >= kNamed_mm2)) return;
+  out << "    closed at half the speed, the first mesh leaks " << fixed(std::abs(other), 1)
+      << " mm2 " << (other > 0.0 ? "more" : "less") << "; the error of the leak includes this\n";
+}
+
 void print_convergence(std::ostream& out, const Json& convergence) {
   const std::string stop = convergence["stop"];
   const double share = number_of(convergence["within_share"]);
@@ -173,6 +182,7 @@ void print_convergence(std::ostream& out, const Json& convergence) {
         << (std::isfinite(number_of(level["change_mm2"])) ? rounded(level["change_mm2"], 1) : "")
         << std::setw(10) << rounded(level["seconds"], 2) << '\n';
   print_limit(out, convergence);
+  print_other_end(out, convergence);
 }
 
 }  // namespace

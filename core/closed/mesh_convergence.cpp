@@ -13,6 +13,7 @@ namespace {
 constexpr double kLeastOrder = 0.5, kMostOrder = 2.0;  // beyond them three meshes say nothing
 constexpr double kSafety = 1.25;                       // Roache 1998, of three meshes
 constexpr double kNoChange_mm2 = 1e-9;
+constexpr double kOtherSpeed = 0.5;
 
 MeshLevel level_of(const ClosedValve& closed) {
   MeshLevel level;
@@ -26,6 +27,12 @@ MeshLevel level_of(const ClosedValve& closed) {
 
 bool is_closed(const ClosureResult& closure) {
   return closure.status == ClosureStatus::Converged && !closure.crossing && !closure.unfinished;
+}
+
+/// The same mesh, come to rest by another way.
+ClosedValve other_end(const ClosedValve& closed, ClosureOptions options) {
+  options.speed *= kOtherSpeed;
+  return close_and_measure(closed.valve, options);
 }
 
 bool settled(const MeshLevel& level, const MeshConvergenceOptions& options) {
@@ -81,6 +88,9 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
                                     const std::function<void(const MeshLevel&)>& told) {
   MeshConvergence result;
   result.finest = close_and_measure(valve, options.closure);
+  const ClosedValve other = other_end(result.finest, options.closure);
+  if (is_closed(result.finest.closure) && is_closed(other.closure))
+    result.other_end_mm2 = other.measure.leak.area_mm2 - result.finest.measure.leak.area_mm2;
   while (true) {
     MeshLevel level = level_of(result.finest);
     if (!result.levels.empty()) level.change_mm2 = level.leak_mm2 - result.levels.back().leak_mm2;
@@ -112,6 +122,11 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
       leaks.push_back(level.leak_mm2);
   if (leaks.empty()) leaks.push_back(result.levels.back().leak_mm2);
   result.limit = mesh_limit(leaks);
+  result.finest.closure.unfinished = result.finest.closure.unfinished || other.closure.unfinished;
+  if (std::isfinite(result.other_end_mm2)) {
+    double& error_mm2 = result.finest.measure.leak_error_mm2;
+    error_mm2 = std::hypot(error_mm2, result.other_end_mm2);
+  }
   return result;
 }
 

@@ -7,6 +7,9 @@
 // order of three meshes where their changes shrink with one sign, 2 at most, a factor of 1.25 on
 // the remaining error; below order 0.5 that of 0.5 for the error, and nothing extrapolated; order 1 of two meshes, which makes the error their change; and
 // no order, the larger of the last two changes, where the sequence swings or grows.
+//
+// Leaflets with surplus tissue may come to rest in more than one shape (docs/researcher/accuracy.md): the first mesh is closed a second
+// time, at half the speed, and the error of the leak takes in what that changes.
 #pragma once
 
 #include <functional>
@@ -61,7 +64,9 @@ struct MeshConvergence {
   std::vector<MeshLevel> levels;  ///< coarsest first; at least one
   MeshStop stop = MeshStop::VertexLimit;
   MeshLimit limit;
-  ClosedValve finest;  ///< on the last mesh
+  /// Of the first mesh's leak, closed at half the speed; NaN where either closure did not come to rest.
+  double other_end_mm2 = std::numeric_limits<double>::quiet_NaN();
+  ClosedValve finest;  ///< on the last mesh; its leak_error_mm2 has the other end in it
 };
 
 /// @param told of each level as it ends; may be empty. @pre the valve is valid.

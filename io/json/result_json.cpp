@@ -211,6 +211,7 @@ Json to_json(const MeshConvergence& convergence, const MeshConvergenceOptions& o
           {"monotonous", convergence.limit.monotonous},
           {"leak_limit_mm2", convergence.limit.leak_mm2},
           {"leak_error_mm2", convergence.limit.error_mm2},
+          {"other_end_mm2", convergence.other_end_mm2},
           {"levels", std::move(levels)}};
 }
 

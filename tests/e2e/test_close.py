@@ -113,6 +113,7 @@ class Close(ProgramTest):
         self.assertEqual(last["triangles"], 4 * first["triangles"])
         self.assertEqual((closure["triangles"], closure["leak_mm2"]), (last["triangles"], last["leak_mm2"]))
         self.assertIsNone(first["change_mm2"])
+        self.assertLess(abs(convergence["other_end_mm2"]), closure["leak"]["error_mm2"])
         self.assertAlmostEqual(last["change_mm2"], last["leak_mm2"] - first["leak_mm2"])
         self.assertAlmostEqual(convergence["leak_error_mm2"], abs(last["change_mm2"]))
         self.assertAlmostEqual(first["leak_mm2"], self.close(VALVE)["leak_mm2"])

@@ -61,8 +61,9 @@ class ShortWork(Asking):
         :param pressure_mmhg: pressure across the closed valve, overriding its own
         :param tissue: in place of its own: "thickness_mm", "radial_extension", "circumferential_extension" (strains at which
             leaflets become stiff), "radial_stiffness", "circumferential_stiffness" (moduli beyond, times 760 and 2,300 kPa)
-        :param certainty: how much time the leak is worth: the mesh as given ("quick"), also one of four times the triangles, or
-            finer and finer ones until the leak settles; what they said is in json["convergence"]
+        :param certainty: how much time the leak is worth: the mesh as given ("quick"), also one of four times the triangles and the
+            mesh as given at half the speed ("sure"), or also finer and finer ones until the leak settles ("proof"); what they
+            said is in json["convergence"]
         :param accuracy_mm2: of the leak: the mesh is refined and tolerances are chosen to reach it; not with certainty
         :param method: closure solver; "thesis": the much slower reference solver ("fast")
         :param membrane: a continuum, which converges under refinement, or the springs of the thesis ("continuum")

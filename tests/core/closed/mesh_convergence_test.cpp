@@ -76,6 +76,17 @@ TEST(MeshConvergence, StopsAsSoonAsTheLeakStands) {
   EXPECT_EQ(wide.finest.measure.leak.area_mm2, wide.levels[1].leak_mm2);
 }
 
+TEST(MeshConvergence, TakesAnotherWayToRestIntoTheError) {
+  ClosureOptions slow;
+  slow.speed = 0.5;
+  const Valve valve = shared_preset("barlow", 150);
+  const MeshConvergence end = close_until_settled(valve, {.within_mm2 = 100.0});
+  EXPECT_EQ(end.other_end_mm2, close_and_measure(valve, slow).measure.leak.area_mm2 -
+                                   close_and_measure(valve).measure.leak.area_mm2);
+  const double of_mesh = measure(end.finest.valve, end.finest.closure).leak_error_mm2;
+  EXPECT_NEAR(end.finest.measure.leak_error_mm2, std::hypot(of_mesh, end.other_end_mm2), 1e-12);
+}
+
 TEST(MeshConvergence, StopsBeforeAMeshThatWouldBeTooFineAndTellsEachLevel) {
   std::vector<int> told;
   const MeshConvergence end =
@@ -94,6 +105,7 @@ TEST(MeshConvergence, StopsWhereAClosureDoesNotConverge) {
   EXPECT_EQ(end.stop, MeshStop::NotClosed);
   EXPECT_EQ(end.levels.size(), 1U);
   EXPECT_TRUE(std::isnan(end.limit.error_mm2));
+  EXPECT_TRUE(std::isnan(end.other_end_mm2));
 }
 
 TEST(RefinedStart, IsTheSamePolyhedronAndLeadsToTheSameEndSooner) {

@@ -19,7 +19,7 @@ export const GLOSSARY = {
   error:
     'The error of the area due to mesh size and the stopping criterion of the closure; in nine of ten test valves the error was smaller. It grows with the area and does not include errors of tissue, imaging and pressure.',
   certainty:
-    'Effort spent on the mesh error of the leak. Quick: the mesh as shown. Sure: also a mesh of four times as many triangles. Proof: finer and finer meshes, until the leak changes by less than 0.5 mm² or 5 %, or the next mesh is too large. In nine of ten test valves the error was smaller than the one stated here; it does not include errors of tissue, imaging and pressure.',
+    'Effort spent on the numerical error of the leak. Quick: the mesh as shown. Sure: also a mesh of four times as many triangles, and the mesh as shown at half the speed, which may end in another shape. Proof: also finer and finer meshes, until the leak changes by less than 0.5 mm² or 5 %, or the next mesh is too large. In nine of ten test valves the error was smaller than the one stated here; it does not include errors of tissue, imaging and pressure.',
   tissue:
     'The valve was closed in many variants of tissue and chordae within the ranges of their sources, weighted by the observations of this valve. The leak lies between the two areas in nine of ten variants.',
   margin: 'The smallest error in placing a suture or a ring that makes the valve leak more than 1 mm².',

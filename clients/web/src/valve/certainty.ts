@@ -64,7 +64,14 @@ export function certaintyWords({ convergence, leak, triangles, seconds: took }: 
   const total = convergence.levels.reduce((sum, level) => sum + (level.seconds ?? 0), 0)
   const times = total < 60 ? `${of((level) => shortTime(level.seconds ?? 0).replace(' s', ''))} s` : seconds(total)
   const leaks = of(({ leak_mm2 }) => number(leak_mm2))
-  return `The leak is ${withError(finest.leak_mm2, convergence.leak_error_mm2, 'mm²')} (${leaks} on ${of((level) => grouped(level.triangles))} triangles, in ${times}). ${ENDS[convergence.stop]}`
+  return `The leak is ${withError(finest.leak_mm2, convergence.leak_error_mm2, 'mm²')} (${leaks} on ${of((level) => grouped(level.triangles))} triangles, in ${times}). ${ENDS[convergence.stop]}${otherEnd(convergence)}`
+}
+
+const NAMED_MM2 = 0.5
+
+function otherEnd({ other_end_mm2: change }: Convergence): string {
+  if (change === null || Math.abs(change) < NAMED_MM2) return ''
+  return ` Closed at half the speed, the first mesh leaks ${number(Math.abs(change))} mm² ${change > 0 ? 'more' : 'less'}.`
 }
 
 const grouped = (count: number): string => count.toLocaleString('en')

@@ -45,8 +45,12 @@ test('each choice says what it will take and leave, and then what it took and le
   expect(tradeWords('proof', { ...closure, leak: { ...closure.leak, error_mm2: null } })).toBe('about 0.80 s')
   expect(certaintyWords(closure)).toBe('The leak is 58 ± 6 mm² (on 648 triangles, in 0.04 s).')
   const levels = [level(648, 58.12, 0.1), level(2592, 57.64, 1.42)]
-  const convergence = { levels, stop: 'settled', leak_error_mm2: 0.48 } as NonNullable<typeof closure.convergence>
+  const settled = { levels, stop: 'settled', leak_error_mm2: 0.48, other_end_mm2: 0.1 }
+  const convergence = settled as NonNullable<typeof closure.convergence>
   expect(certaintyWords({ ...closure, convergence })).toBe(
     'The leak is 57.6 ± 0.5 mm² (58.1 and 57.6 on 648 and 2,592 triangles, in 0.10 and 1.4 s). It has converged.',
+  )
+  expect(certaintyWords({ ...closure, convergence: { ...convergence, other_end_mm2: 17.2 } })).toContain(
+    'It has converged. Closed at half the speed, the first mesh leaks 17.2 mm² more.',
   )
 })
