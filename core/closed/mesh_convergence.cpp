@@ -29,10 +29,19 @@ bool is_closed(const ClosureResult& closure) {
   return closure.status == ClosureStatus::Converged && !closure.crossing && !closure.unfinished;
 }
 
-/// The same mesh, come to rest by another way.
-ClosedValve other_end(const ClosedValve& closed, ClosureOptions options) {
+bool is_closed(const MeshLevel& level) {
+  return level.status == ClosureStatus::Converged && !level.crossing;
+}
+
+/// The given mesh, come to rest by another way.
+void take_other_end(const Valve& valve, ClosureOptions options, MeshConvergence& result) {
   options.speed *= kOtherSpeed;
-  return close_and_measure(closed.valve, options);
+  const ClosedValve other = close_and_measure(valve, options);
+  ClosedValve& finest = result.finest;
+  finest.closure.unfinished = finest.closure.unfinished || other.closure.unfinished;
+  if (!is_closed(other.closure)) return;
+  result.other_end_mm2 = other.measure.leak.area_mm2 - result.levels.front().leak_mm2;
+  finest.measure.leak_error_mm2 = std::hypot(finest.measure.leak_error_mm2, result.other_end_mm2);
 }
 
 bool settled(const MeshLevel& level, const MeshConvergenceOptions& options) {
@@ -88,9 +97,6 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
                                     const std::function<void(const MeshLevel&)>& told) {
   MeshConvergence result;
   result.finest = close_and_measure(valve, options.closure);
-  const ClosedValve other = other_end(result.finest, options.closure);
-  if (is_closed(result.finest.closure) && is_closed(other.closure))
-    result.other_end_mm2 = other.measure.leak.area_mm2 - result.finest.measure.leak.area_mm2;
   while (true) {
     MeshLevel level = level_of(result.finest);
     if (!result.levels.empty()) level.change_mm2 = level.leak_mm2 - result.levels.back().leak_mm2;
@@ -118,15 +124,10 @@ MeshConvergence close_until_settled(const Valve& valve, const MeshConvergenceOpt
   }
   std::vector<double> leaks;
   for (const MeshLevel& level : result.levels)
-    if (level.status == ClosureStatus::Converged && !level.crossing)
-      leaks.push_back(level.leak_mm2);
+    if (is_closed(level)) leaks.push_back(level.leak_mm2);
   if (leaks.empty()) leaks.push_back(result.levels.back().leak_mm2);
   result.limit = mesh_limit(leaks);
-  result.finest.closure.unfinished = result.finest.closure.unfinished || other.closure.unfinished;
-  if (std::isfinite(result.other_end_mm2)) {
-    double& error_mm2 = result.finest.measure.leak_error_mm2;
-    error_mm2 = std::hypot(error_mm2, result.other_end_mm2);
-  }
+  if (is_closed(result.levels.front())) take_other_end(valve, options.closure, result);
   return result;
 }
 
