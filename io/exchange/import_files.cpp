@@ -287,8 +287,10 @@ void tell_columns(const NamedFile& file, const std::string& part,
                   std::initializer_list<std::string_view> used, ImportSource& source) {
   const std::string format = format_of(file.name);
   if (!is_table_format(format)) return;
-  if (format != "fcsv") tell_left_over(part, "columns", unused_columns(file.bytes, used), source);
-  if (const std::string stated = no_unit(file.bytes, used); !stated.empty())
+  const Expected<CsvTable> table = read_csv(file.bytes, used);
+  if (!table) return;  // who reads it says why
+  if (format != "fcsv") tell_left_over(part, "columns", unused_columns(*table, used), source);
+  if (const std::string& stated = table->no_unit; !stated.empty())
     source.decisions.push_back(
         {"units",
          part + ": " + (is_plain(stated) ? '"' + stated + '"' : "what is stated") + " is ignored",

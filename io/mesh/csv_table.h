@@ -23,8 +23,8 @@ struct CsvTable {
   /// Of the columns, as their names or a row below them state: "cm" of "x [cm]" or "x_cm"; empty: not stated.
   std::vector<std::string> units;
   std::string unit;  ///< the first that a coordinate states; else empty
-  std::string
-      no_unit;  ///< the first stated there that is no unit of length ("px"), nor axes or a number
+  /// The first that a coordinate states and that is no unit of length ("px"), nor axes or a number; else empty.
+  std::string no_unit;
   bool decimal_commas = false;  ///< "1,5" is a number
 
   bool has(std::string_view column) const;

@@ -236,11 +236,6 @@ std::optional<LengthUnit> stated_unit(std::string_view table,
   return read ? unit_named(read->unit) : std::nullopt;
 }
 
-std::string no_unit(std::string_view table, std::initializer_list<std::string_view> columns) {
-  const Expected<CsvTable> read = read_csv(table, columns);
-  return read ? read->no_unit : "";
-}
-
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"papillary", "label"});
   if (!table) return table.errors();
@@ -286,13 +281,11 @@ Expected<std::vector<LabelledPoint>> read_labelled_points_csv(std::string_view t
   return points;
 }
 
-LeftOver unused_columns(std::string_view table, std::initializer_list<std::string_view> used) {
+LeftOver unused_columns(const CsvTable& table, std::initializer_list<std::string_view> used) {
   LeftOver unused;
-  const Expected<CsvTable> read = read_csv(table, used);
-  if (!read) return unused;
   const bool points = std::find(used.begin(), used.end(), "x") != used.end();
-  unused.of = read->names.size();
-  for (const std::string& name : read->names) {
+  unused.of = table.names.size();
+  for (const std::string& name : table.names) {
     const bool axis = points && name.size() == 1 &&
                       std::string_view("xyzraslp").find(name[0]) != std::string_view::npos;
     if (!name.empty() && !axis && std::find(used.begin(), used.end(), name) == used.end())

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/mesh/csv_table.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {
@@ -17,9 +18,6 @@ Expected<Points> read_points_csv(std::string_view text);
 std::optional<LengthUnit> stated_unit(std::string_view table,
                                       std::initializer_list<std::string_view> columns = {"x"});
 
-/// What its coordinates state as a unit of length that is none ("px"); empty: nothing.
-std::string no_unit(std::string_view table, std::initializer_list<std::string_view> columns);
-
 /// The same with papillary or label, which begins with AL or PM; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 
@@ -32,7 +30,7 @@ struct LabelledPoint {
 Expected<std::vector<LabelledPoint>> read_labelled_points_csv(std::string_view text);
 
 /// The named columns of a table but those `used` by a reader; x stands for the names of all axes.
-LeftOver unused_columns(std::string_view table, std::initializer_list<std::string_view> used);
+LeftOver unused_columns(const CsvTable& table, std::initializer_list<std::string_view> used);
 
 /// @param format is_table_format() or "json".
 /// Table: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/mesh/csv_table.h"
 #include "io/mesh/import_valve.h"
 
 namespace coapt {
@@ -157,7 +158,7 @@ TEST(ImportReaders, NamesOfAxesMayStateWhatIsNoUnit) {
                                       {"x (LPS),y (LPS),z (LPS)", ""},
                                       {"x [0],y [1],z [2]", ""},
                                       {"x,y,z,score [px]", ""}})
-    EXPECT_EQ(no_unit(names + std::string("\n1,2,3\n"), {"x"}), stated) << names;
+    EXPECT_EQ(read_csv(names + std::string("\n1,2,3\n"), {"x"})->no_unit, stated) << names;
 }
 
 TEST(ImportReaders, ColumnsOfDifferentUnitsBecomeThatOfTheFirst) {
