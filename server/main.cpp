@@ -107,7 +107,8 @@ void print_address(const std::string& host, int port, const std::string& made_to
              "coapt-server: the page is at "
           << address << "/#token=" << made_token
           << "\ncoapt-server: for programs, set COAPT_TOKEN=" << made_token << '\n';
-  std::cerr << lines.str() << "coapt-server: listening on " << address << '\n';
+  lines << "coapt-server: listening on " << address << '\n';
+  std::cerr << lines.str();  // at once: programs wait for it
 }
 
 int serve(const ServerOptions& options, const Access& access, const ReaderProcesses& readers) {

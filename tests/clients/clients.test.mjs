@@ -19,12 +19,14 @@ before(async () => {
   copyFileSync(CONTRACT, join(folder, 'openapi.json'))
   copyFileSync(new URL('run.ts', import.meta.url), join(folder, 'run.ts'))
   server = spawn(join(PROGRAMS, 'coapt-server'), ['--port', '0', '--no-token', '--db', join(folder, 'jobs.sqlite')])
-  url = await new Promise((found) => {
-    for (const stream of [server.stdout, server.stderr])
-      stream.on('data', (text) => {
-        const said = /listening on (http:\S+)/.exec(text)
-        if (said) found(said[1])
-      })
+  let said = ''
+  url = await new Promise((found, failed) => {
+    server.once('exit', () => failed(new Error(`the service ended: ${said}`)))
+    server.stderr.on('data', (part) => {
+      said += part
+      const address = /listening on (http:\S+)\n/.exec(said) // whole: it may come in pieces
+      if (address) found(address[1])
+    })
   })
 })
 

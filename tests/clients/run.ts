@@ -20,8 +20,13 @@ export async function run(url: string) {
   const leaks = closures.map((closure) => (closure && 'leak' in closure ? closure.leak.area_mm2 : null))
 
   const search = { evaluations: 20, plans: 1, region_points: 1, evidence: false, model_draws: 0 }
-  const job = (await hey.searchPlans({ body: { valve, search }, headers: { Prefer: 'wait=100' } })).data
-  const result = (await fetched.GET('/v1/jobs/{job}/result', { params: { path: { job: job?.id ?? '' } } })).data
+  let job = (await hey.searchPlans({ body: { valve, search }, headers: { Prefer: 'wait=60' } })).data
+  const params = { path: { job: job?.id ?? '' } }
+  while (job?.state === 'QUEUED' || job?.state === 'RUNNING') {
+    await new Promise((awake) => setTimeout(awake, 1000))
+    job = (await fetched.GET('/v1/jobs/{job}', { params })).data
+  }
+  const result = (await fetched.GET('/v1/jobs/{job}/result', { params })).data
   const refused = (await fetched.POST('/v1/closures', { body: { valve: 'no-such-valve' } })).error
   return { leaks, state: job?.state, result, refused }
 }

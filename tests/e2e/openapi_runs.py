@@ -3,17 +3,17 @@
 import re
 
 from openapi_document import Document
+from process_runs import HANGS_S
 from programs import SERVER, ProgramTest
 from server_runs import Server
 
-PATIENCE_S = 300  # of a busy machine
-WAIT = {"Prefer": f"wait={PATIENCE_S}"}
+WAIT = {"Prefer": f"wait={HANGS_S}"}
 
 
 class OpenApiTest(ProgramTest):
     def setUp(self):
         super().setUp()
-        self.server = self.start("jobs.sqlite", "--wait-seconds", PATIENCE_S)
+        self.server = self.start("jobs.sqlite", "--wait-seconds", HANGS_S)
         self.document = Document(self.server.ask("GET", "/openapi.json").body)
         # What stands for the parameters of paths.
         self.place = {"preset": "human-functional-mr", "rank": "1", "file": "report.html"}
@@ -27,7 +27,7 @@ class OpenApiTest(ProgramTest):
         """The answer to an operation, which must be as the document says."""
         operation = self.document.operations[id]
         path = re.sub(r"{(\w+)}", lambda name: self.place[name[1]], operation.path)
-        reply = self.server.ask(operation.method, path + query, body, headers, 2 * PATIENCE_S)
+        reply = self.server.ask(operation.method, path + query, body, headers, 2 * HANGS_S)
         self.assertEqual(self.document.problems_of_answer(operation, reply), [], f"{id}: {reply.body[:500]}")
         return reply
 

@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 import unittest
 
+from process_runs import HANGS_S
+
 COAPT = os.environ["COAPT"]
 # Not for the programs under test: to them it is the address of a service.
 SERVER = os.environ.pop("COAPT_SERVER")
@@ -21,7 +23,7 @@ OK, FAILURE, BAD_INPUT, NOT_CLOSED, NO_COMPETENT_PLAN, INTERRUPTED = 0, 1, 2, 3,
 def coapt(*arguments, stdin=""):
     """Runs coapt; the result has returncode, stdout, stderr."""
     command = [COAPT, *map(str, arguments)]
-    return subprocess.run(command, input=stdin, capture_output=True, text=True, timeout=300)
+    return subprocess.run(command, input=stdin, capture_output=True, text=True, timeout=HANGS_S)
 
 
 @functools.cache

@@ -9,6 +9,7 @@ import socket
 import subprocess
 import unittest
 
+from process_runs import HANGS_S
 from programs import FAILURE, NO_COMPETENT_PLAN, OK, SERVER, SOURCE, ProgramTest, coapt
 from server_runs import Server, search_of
 
@@ -41,7 +42,7 @@ class CurlClient(ProgramTest):
     def run_client(self, *arguments, token=TOKEN):
         """Exit code, standard output, standard error."""
         client = self.start(*arguments, token=token)
-        out, err = client.communicate(timeout=300)
+        out, err = client.communicate(timeout=HANGS_S)
         return client.returncode, out, err
 
     def get(self, path):
@@ -65,7 +66,7 @@ class CurlClient(ProgramTest):
         while not (jobs := self.get("/v1/jobs")["jobs"]):
             self.assertIsNone(client.poll())
         os.killpg(client.pid, signal.SIGINT)
-        out, err = client.communicate(timeout=300)
+        out, err = client.communicate(timeout=HANGS_S)
         self.assertEqual(client.returncode, OK, err)
         self.assertEqual(self.get(f"/v1/jobs/{jobs[0]['id']}")["state"], "CANCELLED")
 
@@ -105,7 +106,7 @@ class DocumentedLines(ProgramTest):
             env=surroundings | {"PATH": f"{programs}:{os.environ['PATH']}"},
             capture_output=True,
             text=True,
-            timeout=300,
+            timeout=HANGS_S,
         )
         self.assertIn(run.returncode, (OK, NO_COMPETENT_PLAN), f"{lines}\n{run.stdout}\n{run.stderr}")
         return run.stdout

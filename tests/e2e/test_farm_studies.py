@@ -8,6 +8,7 @@ import subprocess
 import sys
 import unittest
 
+from process_runs import HANGS_S
 from programs import BAD_INPUT, COAPT, FAILURE, INTERRUPTED, NO_COMPETENT_PLAN, OK, SERVER, SOURCE, ProgramTest, coapt
 
 sys.path[:0] = [str(SOURCE / "tests" / "farm"), str(SOURCE / "tests" / "service")]
@@ -144,7 +145,7 @@ class FarmStudies(ProgramTest):
         while self.postgres.sql("farm", runs) == [["0"]]:
             self.assertIsNone(running.poll())
         running.send_signal(signal.SIGTERM)
-        _, said = running.communicate(timeout=30)
+        _, said = running.communicate(timeout=HANGS_S)
         self.assertEqual(running.returncode, INTERRUPTED, said)
         self.assertIn("the farm keeps the work", said)
         ((run,),) = self.postgres.sql("farm", "SELECT max(id) FROM coapt_farm.run WHERE kind = 'plans'")
@@ -154,7 +155,7 @@ class FarmStudies(ProgramTest):
 class Refused(ProgramTest):
     def refused(self, status, *arguments, **environment):
         result = subprocess.run(
-            [COAPT, *map(str, arguments)], capture_output=True, text=True, env=os.environ | environment, timeout=60
+            [COAPT, *map(str, arguments)], capture_output=True, text=True, env=os.environ | environment, timeout=HANGS_S
         )
         self.assertEqual(result.returncode, status, result.stderr)
         return result.stderr

@@ -8,6 +8,7 @@ import unittest
 
 from helps import NOTICE, about, commands, flags, help_of
 from plan_runs import VALVE, options
+from process_runs import HANGS_S
 from programs import BAD_INPUT, COAPT, OK, SERVER, SOURCE, coapt
 
 COMPLETION = SOURCE / "clients/cli/completion/coapt.bash"
@@ -60,7 +61,9 @@ class Help(unittest.TestCase):
             (("--streams", 65), ("--streams is 65", "at most 64")),
             (("--requests", 32, "--streams", 16), ("--requests is 32", "at least 38")),
         ):
-            run = subprocess.run([SERVER, "--port", "0", *map(str, flags_)], capture_output=True, text=True, timeout=60)
+            run = subprocess.run(
+                [SERVER, "--port", "0", *map(str, flags_)], capture_output=True, text=True, timeout=HANGS_S
+            )
             self.assertEqual(run.returncode, BAD_INPUT)
             for words in named:
                 self.assertIn(words, run.stderr)

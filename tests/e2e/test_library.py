@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import unittest
 
+from process_runs import HANGS_S
 from programs import COAPT, SOURCE
 
 BUILD = pathlib.Path(COAPT).parents[1]
@@ -15,7 +16,7 @@ IS_RELEASE = "CMAKE_BUILD_TYPE:STRING=Release" in (BUILD / "CMakeCache.txt").rea
 
 class Library(unittest.TestCase):
     def run_ok(self, *command):
-        run = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=500)
+        run = subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=HANGS_S)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         return run.stdout
 

@@ -21,7 +21,7 @@ LARGEST_N = 3.0
 
 
 def live(*arguments):
-    return subprocess.run([LIVE, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+    return subprocess.run([LIVE, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_S)
 
 
 def dot(a, b):

@@ -10,6 +10,7 @@ import subprocess
 import time
 import unittest
 
+from process_runs import HANGS_S
 from programs import SOURCE
 from server_runs import ServerTest, search_of
 
@@ -111,7 +112,7 @@ class Nginx(ServerTest):
         process = subprocess.Popen(command)
         self.addCleanup(process.wait, 30)
         self.addCleanup(process.terminate)
-        deadline = time.monotonic() + 30
+        deadline = time.monotonic() + HANGS_S
         while True:
             try:
                 socket.create_connection(("127.0.0.1", self.port), timeout=1).close()
@@ -142,7 +143,7 @@ class Nginx(ServerTest):
         status, headers, _ = self.curl_with_headers("/v1/jobs", token=False)
         self.assertEqual((status, headers["www-authenticate"]), (401, "Bearer"))
         job = self.submit(search_of(1))
-        deadline = time.monotonic() + 120
+        deadline = time.monotonic() + HANGS_S
         while job["state"] in ("QUEUED", "RUNNING"):
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.2)

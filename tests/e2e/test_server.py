@@ -5,6 +5,7 @@ import json
 import subprocess
 import unittest
 
+from process_runs import HANGS_S
 from programs import BAD_INPUT, FAILURE, SERVER, coapt
 from server_runs import ServerTest, search_of
 
@@ -110,14 +111,14 @@ class Answers(ServerTest):
             [SERVER, "--port", str(self.server.port), "--db", self.folder / "b.db"],
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=HANGS_S,
         )
         self.assertEqual(second.returncode, FAILURE)
         self.assertIn(str(self.server.port), second.stderr)
 
     def test_other_machines_are_not_let_in_without_a_token(self):
         second = subprocess.run(
-            [SERVER, "--host", "0.0.0.0", "--port", "0"], capture_output=True, text=True, timeout=60
+            [SERVER, "--host", "0.0.0.0", "--port", "0"], capture_output=True, text=True, timeout=HANGS_S
         )
         self.assertEqual(second.returncode, BAD_INPUT)
         self.assertIn("--token-file", second.stderr)
@@ -125,7 +126,7 @@ class Answers(ServerTest):
     def test_the_token_that_it_needs_can_be_asked_for(self):
         def printed(*flags):
             command = [SERVER, "--db", self.folder / "t.db", "--print-token", *flags]
-            return subprocess.run(command, capture_output=True, text=True, timeout=60, check=True).stdout
+            return subprocess.run(command, capture_output=True, text=True, timeout=HANGS_S, check=True).stdout
 
         self.assertEqual(printed("--no-token"), "\n")
         given = self.write("given", "a token of one's own".replace(" ", "-"))

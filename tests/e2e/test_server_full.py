@@ -7,6 +7,7 @@ import subprocess
 import time
 import unittest
 
+from process_runs import HANGS_S
 from programs import FAILURE, OK, SERVER
 from server_runs import ServerTest, search_of
 
@@ -64,7 +65,7 @@ class Shared(ServerTest):
         self.assertEqual(self.server.wait_for_end(self.submit(search_of(2))["id"])["state"], "SUCCEEDED")
 
     def run_second(self, db):
-        return subprocess.run([SERVER, "--port", "0", "--db", db], capture_output=True, text=True, timeout=60)
+        return subprocess.run([SERVER, "--port", "0", "--db", db], capture_output=True, text=True, timeout=HANGS_S)
 
     def test_a_second_service_on_the_same_file_does_not_start(self):
         second = self.run_second(self.server.db)

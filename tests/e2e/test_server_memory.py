@@ -6,6 +6,7 @@ import subprocess
 import threading
 import unittest
 
+from process_runs import HANGS_S
 from programs import SERVER
 from server_runs import ServerTest
 
@@ -56,7 +57,7 @@ class LittleMemory(ServerTest):
 
     def test_too_little_for_its_threads_is_said(self):
         command = f"ulimit -v 160000; exec {SERVER} --port 0 --db {self.folder}/none.sqlite"
-        ended = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=60)
+        ended = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=HANGS_S)
         self.assertEqual(ended.returncode, 1, ended.stderr)
         self.assertRegex(ended.stderr, r"^coapt-server: .+\n$")
 

@@ -5,6 +5,7 @@ import subprocess
 import unittest
 
 import jsonschema
+from process_runs import HANGS_S
 from programs import BAD_INPUT, COAPT, FAILURE, OK, SOURCE, ProgramTest, coapt
 
 PRESETS = [f"porcine-{i}" for i in range(1, 6)] + ["human-normal", "human-functional-mr", "human-p2-prolapse"]
@@ -88,7 +89,7 @@ class CommandLine(ProgramTest):
                         shell=True,
                         stderr=subprocess.PIPE,
                         text=True,
-                        timeout=60,
+                        timeout=HANGS_S,
                     )
                     self.assertEqual(result.returncode, FAILURE)
                     self.assertEqual(result.stderr, "coapt: standard output: cannot be written\n")
@@ -99,7 +100,7 @@ class CommandLine(ProgramTest):
             f"exec '{COAPT}' close human-normal --render '{picture}' >&-",
             shell=True,
             stderr=subprocess.DEVNULL,
-            timeout=60,
+            timeout=HANGS_S,
         )
         self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 

@@ -11,7 +11,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "e2e"))
 
 from private_postgres import PrivatePostgres  # noqa: E402
-from process_runs import is_stopped, wait_until  # noqa: E402
+from process_runs import HANGS_S, is_stopped, wait_until  # noqa: E402
 
 FARM = os.environ["COAPT_TOY_FARM"]
 OK, FAILURE, BAD_INPUT, HOLES, INTERRUPTED = 0, 1, 2, 4, 130
@@ -71,7 +71,7 @@ class FarmTest(unittest.TestCase):
         process.kill()
         process.communicate()
 
-    def run_farm(self, *arguments, stdin=b"", timeout=300, **options):
+    def run_farm(self, *arguments, stdin=b"", timeout=HANGS_S, **options):
         process = self.start(*arguments, stdin=subprocess.PIPE, **options)
         out, err = process.communicate(stdin, timeout=timeout)
         return subprocess.CompletedProcess(arguments, process.returncode, out, err.decode())
@@ -98,7 +98,7 @@ class FarmTest(unittest.TestCase):
         process.stdin = None
         return process
 
-    def collect(self, coordinator, request, timeout=300):
+    def collect(self, coordinator, request, timeout=HANGS_S):
         out, err = coordinator.communicate(timeout=timeout)
         self.assertEqual(coordinator.returncode, OK, err.decode())
         self.assertEqual(out, request.answers())

@@ -11,6 +11,7 @@ import time
 import unittest
 
 from farm_runs import FARM, FarmTest, Request
+from process_runs import HANGS_S
 
 STARTERS = pathlib.Path(__file__).resolve().parents[2] / "examples/farm"
 SLURM = [shutil.which(name, path="/usr/sbin:/usr/bin:/sbin") for name in ("slurmctld", "slurmd", "munged", "sbatch")]
@@ -66,7 +67,7 @@ class Starters(FarmTest):
 
     def run_here(self, *command, **options):
         run = subprocess.run(
-            list(map(str, command)), env=self.environment, cwd=self.folder, capture_output=True, text=True, timeout=60,
+            list(map(str, command)), env=self.environment, cwd=self.folder, capture_output=True, text=True, timeout=HANGS_S,
             **options,
         )  # fmt: skip
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)

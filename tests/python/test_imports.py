@@ -152,7 +152,7 @@ class Imports(ClientTest):
         landmarks = {"saddle_peak": [0, 13.8, 3.6]}
         job = self.client.import_job([skirt], annulus, chordae, name="mine", triangles=300, landmarks=landmarks)
         self.assertEqual(job.kind, "import")
-        plain = job.result(timeout_s=120)
+        plain = job.result()
         self.assertEqual((plain.name, plain.chordae, plain.fit), ("mine", 10, None))
         self.assertEqual((plain.valve, plain.imported), (job.json["made"], job.json["valve"]))
         self.assertIn("saddle peak as given", [decision.value for decision in plain.decisions])

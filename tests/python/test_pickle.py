@@ -278,7 +278,7 @@ class Processes(EngineTest):
             "    sys.exit(0 if there == here else 1)\n"
             "sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) or (asked() != here))\n"
         )
-        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100,
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=1200,
                              env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
@@ -294,7 +294,7 @@ class Processes(EngineTest):
             "sys.exit(os.waitstatus_to_exitcode(os.wait()[1]))\n"
         )
         run = subprocess.run([sys.executable, "-c", code, self.folder / "x.sqlite"], capture_output=True, text=True,
-                             timeout=60, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
+                             timeout=1200, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
         self.assertEqual((run.returncode, run.stderr), (7, ""))
 
 

@@ -24,7 +24,10 @@ class Reply:
         return json.loads(self.body)
 
 
-def ask(port, method, path, body=None, headers=None, seconds=300, client="127.0.0.1"):
+HANGS_S = 1200  # against hanging, not a measure: machines are shared and slow
+
+
+def ask(port, method, path, body=None, headers=None, seconds=HANGS_S, client="127.0.0.1"):
     """One request over a connection of its own, from this address; a body that is no bytes or text is sent as JSON."""
     headers = dict(headers or {})
     if body is not None and not isinstance(body, (bytes, str)):
@@ -39,8 +42,8 @@ def ask(port, method, path, body=None, headers=None, seconds=300, client="127.0.
         connection.close()
 
 
-# Machines are shared, and slow under sanitizers; others may log in.
-USUAL = (("--request-seconds", "300"), ("--no-token",))
+# Machines are slow under sanitizers; others may log in.
+USUAL = (("--request-seconds", str(HANGS_S)), ("--no-token",))
 
 
 class Server:
@@ -63,10 +66,10 @@ class Server:
             )
         self.port = None
 
-    def wait_until_listening(self, seconds=60):
+    def wait_until_listening(self, seconds=HANGS_S):
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
-            said = re.search(r"http://[^:\s]+:(\d+)", self.messages.read_text(errors="replace"))
+            said = re.search(r"listening on http://\S+:(\d+)\n", self.messages.read_text(errors="replace"))
             if said:
                 self.port = int(said.group(1))
                 return
@@ -76,7 +79,7 @@ class Server:
         self.kill()
         raise RuntimeError(f"coapt-server does not listen: {self.messages.read_text(errors='replace')}")
 
-    def ask(self, method, path, body=None, headers=None, seconds=300, client="127.0.0.1"):
+    def ask(self, method, path, body=None, headers=None, seconds=HANGS_S, client="127.0.0.1"):
         return ask(self.port, method, path, body, headers, seconds, client)
 
     def get(self, path):
@@ -93,11 +96,11 @@ class Server:
             raise RuntimeError(f"POST {path}: {reply.status} {reply.body[:300]}")
         return reply.json()
 
-    def wait_for_end(self, job_id, seconds=300):
+    def wait_for_end(self, job_id, seconds=HANGS_S):
         """The job when it has ended."""
         return self.wait_until(job_id, lambda job: job["state"] in ENDED, seconds)
 
-    def wait_until(self, job_id, condition, seconds=300):
+    def wait_until(self, job_id, condition, seconds=HANGS_S):
         """The job as soon as `condition(job)`."""
         deadline = time.monotonic() + seconds
         while True:
@@ -115,7 +118,7 @@ class Server:
     def open_files(self):
         return len(list(pathlib.Path(f"/proc/{self.process.pid}/fd").iterdir()))
 
-    def stop(self, seconds=60):
+    def stop(self, seconds=HANGS_S):
         """Ends it as a service manager does; its exit code."""
         self.process.send_signal(signal.SIGTERM)
         return self.process.wait(timeout=seconds)

@@ -5,6 +5,7 @@ import time
 import unittest
 
 import numpy
+from process_runs import HANGS_S
 from programs import SOURCE
 from slicer_runs import COARSE, SMALL, Asked, SlicerTest, case, example, probe_to_ras, read_nrrd, service
 
@@ -205,7 +206,7 @@ class Flow(SlicerTest):
         self.assertIsNone(taken.valve)
 
     def until(self, task, condition):
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + HANGS_S
         while not condition() and not task.poll():
             self.assertLess(time.monotonic(), deadline, task.said)
             time.sleep(0.01)

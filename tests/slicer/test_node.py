@@ -49,7 +49,7 @@ class Node(unittest.TestCase):
 
     def test_a_search_is_a_job_that_tells_how_far_it_is_and_can_be_cancelled(self):
         self.assertEqual(len(service.waited(self.taken.planning(self.service, **SMALL))), 1)
-        task, deadline = service.Task(self.taken.planning(self.service, evaluations=50000)), time.monotonic() + 60
+        task, deadline = service.Task(self.taken.planning(self.service, evaluations=50000)), time.monotonic() + 1200
         while "closures" not in task.said or ": 0 " in task.said:
             self.assertFalse(task.poll())
             self.assertLess(time.monotonic(), deadline)

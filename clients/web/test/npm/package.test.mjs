@@ -12,7 +12,7 @@ import { startFiles } from '../static/files.mjs'
 
 const PACKAGE = join(ROOT, 'build/npm')
 const SEARCH = { evaluations: 30, region_points: 5, plans: 2, fine_levels: 0, model_draws: 0, evidence: false }
-const PATIENCE_MS = 300_000
+const PATIENCE_MS = 1_200_000
 const RING = { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }] }
 
 const folder = mkdtempSync(join(tmpdir(), 'coapt-npm-'))
@@ -149,7 +149,7 @@ test('a program that has its answer ends', () => {
     [script, String(coapt.presets.length)],
     [asks, 'converged'],
   ]) {
-    const answer = execFileSync('node', ['--input-type=module', '-e', program], { cwd: folder, timeout: 60_000 })
+    const answer = execFileSync('node', ['--input-type=module', '-e', program], { cwd: folder, timeout: PATIENCE_MS })
     assert.equal(String(answer).trim(), said)
   }
 })

@@ -14,7 +14,7 @@ export const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
 const SERVER = process.env.COAPT_SERVER_PROGRAM ?? join(ROOT, 'build/release/bin/coapt-server')
 const BROWSER = process.env.CHROMIUM ?? '/usr/bin/chromium'
 const AXE = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
-export const PATIENCE_MS = Number(process.env.COAPT_PATIENCE_MS ?? 300_000) // machines are shared and slow
+export const PATIENCE_MS = Number(process.env.COAPT_PATIENCE_MS ?? 1_200_000) // machines are shared and slow
 
 /// The service; `stop` ends it and removes what it kept, `kill` leaves that for another one at the same place.
 export async function startService(

@@ -12,7 +12,7 @@ import { hash, startInNode } from './bits.mjs'
 const ROOT = fileURLToPath(new URL('../../../../', import.meta.url))
 const BIN = join(ROOT, 'build/release/bin')
 const MODULE = join(ROOT, 'build/wasm/bin/coapt-engine.wasm')
-const PATIENCE_MS = 300_000
+const PATIENCE_MS = 1_200_000
 const RING = { schema: 'coapt.plan/1', steps: [{ step: 'annuloplasty', shape: 'own', sizes_below: 2 }] }
 
 const folder = mkdtempSync(join(tmpdir(), 'coapt-presets-'))
