@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ_LIMIT := -runs=100000
 # Of a reader, with what the sanitizers add.
 FUZZ_MEMORY := -rss_limit_mb=512
-FUZZ = $(FUZZ_LIMIT) -seed=1 -dict=tests/fuzz/json.dict
+FUZZERS := valve plan mesh image import forms endpoints
 SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp examples/gallery/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python clients/slicer cmake docs examples lab tests -name "*.py")
@@ -23,7 +23,7 @@ ENGINE := build/wasm/bin/coapt-engine.wasm
 PLANNER := build/wasm/bin/coapt-planner.wasm
 ENGINE_SOURCES := $(shell find core io search operations clients/engine cmake/wasm.cmake cmake/packaging/wasm_libraries.sh CMakeLists.txt CMakePresets.json -type f)
 
-.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server attacks farm-chaos instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check clients-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz clean
+.PHONY: help demo serve farm deb deb-test check nightly check-packages test scripts-test examples-test optimised-test live-test web types web-test web-pictures wasm static static-test npm npm-test chart figures bench bench-server attacks farm-chaos instructions rivals lab lab-test build programs configure format format-check lint includes-check sources-check docs docs-check paper commits-check openapi-check clients-check readers-check golden model-test asan asan-outer asan-build asan-test gallery tutorials-check figures-check fuzz $(addprefix fuzz-,$(FUZZERS)) clean
 
 help:  ## this list
 	@grep -E '^[a-z0-9-]+:.*##' Makefile | sed -E 's/^([a-z0-9-]+):.*## (.*)/  make \1\t\2/' | expand -t 24
@@ -347,16 +347,17 @@ asan-test:
 fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build clang sanitizers
 	cmake --preset fuzz
-	cmake --build --preset fuzz --target fuzz_read_valve fuzz_read_plan fuzz_mesh fuzz_image fuzz_import fuzz_forms fuzz_endpoints fuzz_seeds
+	cmake --build --preset fuzz
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
 	tests/fuzz/file_seeds.py build/fuzz/corpus
-	build/fuzz/bin/fuzz_read_valve $(FUZZ) $(FUZZ_MEMORY) build/fuzz/corpus/valve
-	build/fuzz/bin/fuzz_read_plan $(FUZZ) $(FUZZ_MEMORY) build/fuzz/corpus/plan
-	build/fuzz/bin/fuzz_mesh $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 build/fuzz/corpus/mesh
-	build/fuzz/bin/fuzz_image $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 build/fuzz/corpus/image
-	build/fuzz/bin/fuzz_import $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 -max_len=256
-	build/fuzz/bin/fuzz_forms $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 build/fuzz/corpus/forms
-	TMPDIR=/dev/shm build/fuzz/bin/fuzz_endpoints $(FUZZ) build/fuzz/corpus/endpoints
+	mkdir -p build/fuzz/corpus/import
+	$(MAKE) --no-print-directory --output-sync --jobs=$$(nproc) $(addprefix fuzz-,$(FUZZERS))
+
+fuzz-valve fuzz-plan fuzz-endpoints: FUZZ_MORE := -dict=tests/fuzz/json.dict
+fuzz-import: FUZZ_MORE := -max_len=256
+fuzz-endpoints: FUZZ_MEMORY :=
+$(addprefix fuzz-,$(FUZZERS)): fuzz-%:
+	TMPDIR=/dev/shm build/fuzz/bin/fuzz_$* $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 $(FUZZ_MORE) build/fuzz/corpus/$*
 
 .PHONY: wheel tarball sbom archives-test container-test reproducible clang arm64 workflow-check
 PACK := cmake/packaging/source_date.sh
