@@ -17,6 +17,7 @@ from served import ENDED, Server, parser_of, report, search_of
 # What may differ between two runs of one search.
 OF_THE_RUN = {"id", "created", "started", "finished", "seconds", "closures_known", "links"}
 FINALE = {"fine_levels": 1, "model_draws": 8}  # what is closed once more at the end
+PRESETS = ("human-functional-mr", "human-p2-prolapse")
 MOMENTS = ("running", "running twice", "starting", "near the end", "submitting")
 
 
@@ -116,12 +117,12 @@ def kill_and_restart(binary, folder, search, moment, chooser):
             server.stop()
 
 
-def run(binary, folder, searches, seed=1, evaluations=150):
-    """Figures of so many disturbed searches, among them all that was wrong."""
+def run(binary, folder, searches, seed=1, evaluations=150, valves=PRESETS):
+    """Figures of so many disturbed searches of these valves in turn, among them all that was wrong."""
     chooser = random.Random(seed)
     kinds = [
         Search({"valve": valve, "search": search_of(seed, evaluations, plans=2, region_points=17, **FINALE)})
-        for seed, valve in enumerate(["human-functional-mr", "human-p2-prolapse"][: max(1, searches // 3)])
+        for seed, valve in enumerate(valves)
     ]
     for number, search in enumerate(kinds):
         (folder / f"undisturbed-{number}").mkdir()
