@@ -1,6 +1,7 @@
 // A repair plan: what a surgeon does, in terms that do not depend on the mesh. Ranges: limits.h.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -116,6 +117,12 @@ using RepairStep =
 struct RepairPlan {
   std::vector<RepairStep> steps;
 };
+
+template <class Step>
+bool has_step(const RepairPlan& plan) {
+  return std::any_of(plan.steps.begin(), plan.steps.end(),
+                     [](const RepairStep& step) { return std::holds_alternative<Step>(step); });
+}
 
 Vec3 anchor_mm(const Valve& valve, const PapillaryApproximation& step);
 

@@ -171,6 +171,22 @@ std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& c
   return lesions;
 }
 
+const Lesion* posterior_lesion(const std::vector<Lesion>& lesions) {
+  const auto found = std::find_if(lesions.begin(), lesions.end(), [](const Lesion& lesion) {
+    return lesion.leaflet == Leaflet::Posterior;
+  });
+  return found == lesions.end() ? nullptr : &*found;
+}
+
+std::vector<Side> commissures_of(const std::vector<Lesion>& lesions) {
+  std::vector<Side> sides;
+  for (const Side side : {Side::Anterolateral, Side::Posteromedial})
+    if (std::any_of(lesions.begin(), lesions.end(),
+                    [side](const Lesion& lesion) { return lesion.commissure == side; }))
+      sides.push_back(side);
+  return sides;
+}
+
 Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates,
                        const Lesion& lesion, double along) {
   const LeafletPoint point{lesion.leaflet, std::clamp(along, 0.0, 1.0), 1.0};

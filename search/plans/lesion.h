@@ -30,6 +30,12 @@ std::optional<Lesion> find_lesion(const Valve& valve, const LeafletCoordinates& 
 std::vector<Lesion> find_lesions(const Valve& valve, const LeafletCoordinates& coordinates,
                                  const std::optional<Diagnosis>& diagnosis);
 
+/// The first of the posterior leaflet; null if there is none.
+const Lesion* posterior_lesion(const std::vector<Lesion>& lesions);
+
+/// Commissures of which both scallops prolapse.
+std::vector<Side> commissures_of(const std::vector<Lesion>& lesions);
+
 /// From the free edge at `along` (clamped to the leaflet) to the nearest head of the same half of
 /// the valve. Its head is empty if that half has none.
 Neochorda neochorda_at(const Valve& valve, const LeafletCoordinates& coordinates,

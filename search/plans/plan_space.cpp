@@ -11,8 +11,6 @@
 #include "core/repair/ring_sizing.h"
 #include "core/repair/rings.h"
 #include "core/valve/annulus_frame.h"
-#include "core/valve/counted.h"
-#include "core/valve/number_text.h"
 #include "search/fit/fitted_draw.h"
 
 namespace coapt {
@@ -36,14 +34,7 @@ constexpr LeafletWidths kTriangular = {{6.0, 16.0}, 12.0}, kQuadrangular = {{8.0
                         kClip = {{4.0, 10.0}, 6.0}, kCommissural = {{4.0, 12.0}, 8.0};
 constexpr Range kCleftWidths_mm = {4.0, 14.0};
 constexpr double kLeafletWidthStep_mm = 2.0;
-constexpr double kDegenerativeRing =
-    0.75;                      // AP over transverse; shorter rings are made for tethered leaflets
 constexpr int kShortened = 2;  // chordae, one on either side of the lesion as a rule
-constexpr const char* kNotTethered = "the leaflets are not tethered";
-
-std::string ring_called(const std::string& shape) {
-  return shape == kOwnShape ? "ring of the annulus's own shape" : shape + " ring";
-}
 
 Side side_of(int index) { return index == 0 ? Side::Anterolateral : Side::Posteromedial; }
 
@@ -79,25 +70,7 @@ std::optional<LeafletWidths> widths_of(LeafletChoice leaflet) {
   return std::nullopt;
 }
 
-/// Commissures of which both scallops prolapse.
-std::vector<Side> commissures_of(const std::vector<Lesion>& lesions) {
-  std::vector<Side> sides;
-  for (const Side side : {Side::Anterolateral, Side::Posteromedial})
-    if (std::any_of(lesions.begin(), lesions.end(),
-                    [side](const Lesion& lesion) { return lesion.commissure == side; }))
-      sides.push_back(side);
-  return sides;
-}
-
-template <class Step>
-bool has_step(const RepairPlan& plan) {
-  return std::any_of(plan.steps.begin(), plan.steps.end(),
-                     [](const RepairStep& step) { return std::holds_alternative<Step>(step); });
-}
-
 double within(Range range, double value) { return std::clamp(value, range.min, range.max); }
-
-std::string in_mm(double value) { return with_decimals(value, 1) + " mm"; }
 
 }  // namespace
 
@@ -116,26 +89,23 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
       return;
     }
   }
-  const std::vector<std::string> rings = offer_rings();
-  const auto anterolateral = offer_anchors(Side::Anterolateral);
-  const auto posteromedial = offer_anchors(Side::Posteromedial);
-  const std::vector<int> neochordae = offer_neochordae();
-  const std::vector<ChordalChoice> chordals = offer_chordal();
-  const std::vector<LeafletChoice> leaflets = offer_leaflet();
-  const bool clefts = sutures_clefts();
+  OfferedTechniques offers = offer_techniques(valve, rules_, coordinates_, diagnosis_, lesions_);
+  ringed_.merge(offers.ringed);
+  cut_ = std::move(offers.cut);
   // Of what is indicated, a surgeon leaves out neither the ring nor what prolapses, if rules let him.
-  const bool needs_ring = diagnosis_ && rings.size() > 1;
+  const bool needs_ring = diagnosis_ && offers.rings.size() > 1;
   const bool needs_mending =
       diagnosis_ && diagnosis_->type_sure && may_be(*diagnosis_, CarpentierType::II) &&
-      (neochordae.size() > 1 || leaflets.size() > 1) && !has_step<Neochorda>(rules_.fixed) &&
-      !has_step<LeafletResection>(rules_.fixed) && !has_step<EdgeToEdge>(rules_.fixed);
-  for (const std::string& ring : rings)
-    for (const auto& al : anterolateral)
-      for (const auto& pm : posteromedial)
-        for (const int count : neochordae)
-          for (const ChordalChoice chordal : chordals)
-            for (const LeafletChoice leaflet : leaflets)
-              if (const Choice choice{ring, al, pm, count, chordal, leaflet, clefts};
+      (offers.neochordae.size() > 1 || offers.leaflet.size() > 1) &&
+      !has_step<Neochorda>(rules_.fixed) && !has_step<LeafletResection>(rules_.fixed) &&
+      !has_step<EdgeToEdge>(rules_.fixed);
+  for (const std::string& ring : offers.rings)
+    for (const auto& al : offers.anterolateral)
+      for (const auto& pm : offers.posteromedial)
+        for (const int count : offers.neochordae)
+          for (const ChordalChoice chordal : offers.chordal)
+            for (const LeafletChoice leaflet : offers.leaflet)
+              if (const Choice choice{ring, al, pm, count, chordal, leaflet, offers.clefts};
                   (!ring.empty() || !needs_ring) && mends_rightly(choice, needs_mending))
                 if (const auto branch = make_branch(choice)) branches_.push_back(*branch);
   std::stable_sort(branches_.begin(), branches_.end(), [](const Branch& a, const Branch& b) {
@@ -143,75 +113,10 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
   });
 }
 
-bool PlanSpace::is_indicated(CarpentierType type) const {
-  return !diagnosis_ || may_be(*diagnosis_, type);
-}
-
 /// And nothing was decided before.
 bool PlanSpace::is_competent() const {
   return diagnosis_ && rules_.fixed.steps.empty() &&
          (diagnosis_->competent || !diagnosis_->competent_sure);
-}
-
-std::vector<std::string> PlanSpace::offer_rings() {
-  if (has_step<Annuloplasty>(rules_.fixed)) {
-    cut_.push_back({"other rings", "the ring is fixed"});
-    return {""};
-  }
-  std::vector<std::string> offered = {""};
-  const auto try_ring = [&](const Annuloplasty& step, double size) {
-    RepairPlan plan = rules_.fixed;
-    plan.steps.emplace_back(step);
-    const Expected<Valve> valve = apply_plan(valve_, plan, coordinates_);
-    const double below = valve ? ring_sizes_below(valve_, *valve) : 0.0;
-    if (!valve || below > kMostSizesBelow) return false;
-    ringed_[{shape_of(step), static_cast<int>(std::lround(2.0 * size))}] = {plan, *valve, below};
-    return true;
-  };
-  const auto offer = [&](const std::string& shape, const std::vector<double>& sizes) {
-    if (is_forbidden(rules_, "annuloplasty", shape)) {
-      cut_.push_back({ring_called(shape), "forbidden"});
-    } else if (sizes.empty()) {
-      cut_.push_back({ring_called(shape), "no size is within " + shown(kMostSizesBelow) +
-                                              " sizes of the true size of " +
-                                              in_mm(true_ring_size_mm(valve_)) +
-                                              " and at most half a size wider than the annulus"});
-    } else {
-      offered.push_back(shape);
-    }
-  };
-  std::vector<double> sizes;
-  if (rules_.own_ring || !diagnosis_ || is_forbidden(rules_, "annuloplasty", kOwnShape)) {
-    for (int below = 1; below <= static_cast<int>(kMostSizesBelow); ++below)
-      if (try_ring({OwnRing{below}}, below)) sizes.push_back(below);
-    offer(kOwnShape, sizes);
-  } else {
-    cut_.push_back(
-        {ring_called(kOwnShape), "no manufacturer offers it; it is available on request"});
-  }
-  for (const RingShape& shape : kRingShapes) {
-    const std::string name(shape.name);
-    if (shape.ap_over_transverse < kDegenerativeRing && !is_indicated(CarpentierType::IIIb)) {
-      cut_.push_back({ring_called(name), kNotTethered});
-      continue;
-    }
-    sizes.clear();
-    for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
-      if (!is_too_wide(valve_, ring_width_mm(shape, size)) &&
-          try_ring({CatalogueRing{name, size}}, size))
-        sizes.push_back(size);
-    }
-    offer(name, sizes);
-  }
-  for (const DesignedShape& shape : rules_.shapes) {
-    sizes.clear();
-    for (double size = kRingSizesMm.min; size <= kRingSizesMm.max; size += kRingSizeStep_mm) {
-      if (!is_too_wide(valve_, size) && try_ring({DesignedRing{shape, size}}, size))
-        sizes.push_back(size);
-    }
-    offer(shape.name, sizes);
-  }
-  return offered;
 }
 
 /// Starts at the true size, or where rings are made smaller as a rule: for tethered leaflets.
@@ -233,156 +138,13 @@ Parameter PlanSpace::ring_sizes(const std::string& shape) const {
                         shape == kOwnShape ? 1.0 : kRingSizeStep_mm, start);
 }
 
-std::vector<std::optional<Anchor>> PlanSpace::offer_anchors(Side side) {
-  const std::string what = std::string("suture of the ") + to_string(side) + " muscle";
-  if (suture_of(rules_.fixed, side) != nullptr) {
-    cut_.push_back({what, "its suture is fixed"});
-    return {std::nullopt};
-  }
-  if (is_forbidden(rules_, "papillary_approximation", to_string(side))) {
-    cut_.push_back({what, "forbidden"});
-    return {std::nullopt};
-  }
-  if (!is_indicated(CarpentierType::IIIb)) {
-    cut_.push_back({what, kNotTethered});
-    return {std::nullopt};
-  }
-  const double distance = anchor_distance_mm(valve_, {.side = side});
-  if (distance <= kMostNormalTipToTrigone_mm) {
-    cut_.push_back({what, "the papillary muscle is not displaced: " + in_mm(distance) +
-                              " from its trigone, up to " + in_mm(kMostNormalTipToTrigone_mm) +
-                              " is normal"});
-    return {std::nullopt};
-  }
-  std::vector<std::optional<Anchor>> anchors = {std::nullopt};
-  for (const Anchor anchor : {Anchor::IpsilateralTrigone, Anchor::SaddlePeak, Anchor::AnnulusPoint})
-    if (is_forbidden(rules_, "papillary_approximation", to_string(anchor))) {
-      cut_.push_back({what + " to " + to_string(anchor), "forbidden"});
-    } else {
-      anchors.push_back(anchor);
-    }
-  return anchors;
-}
-
-std::vector<int> PlanSpace::offer_neochordae() {
-  std::string why;
-  const int each = static_cast<int>(lesions_.size());
-  if (lesions_.empty()) why = why_no_lesion();
-  if (rules_.most_neochordae < each)
-    why = counted(each, "lesion") + " cannot be mended with at most " +
-          counted(rules_.most_neochordae, "neochorda", "neochordae");
-  for (const Lesion& lesion : lesions_)
-    if (is_forbidden(rules_, "neochorda", to_string(lesion.leaflet))) why = "forbidden";
-  if (rules_.most_neochordae == 0) why = "not allowed by the rules";
-  if (!why.empty()) {
-    cut_.push_back({"neochordae", why});
-    return {0};
-  }
-  std::vector<int> counts;
-  for (int count = 0; count <= rules_.most_neochordae; count += each) counts.push_back(count);
-  return counts;
-}
-
-std::vector<ChordalChoice> PlanSpace::offer_chordal() {
-  std::vector<ChordalChoice> offered = {ChordalChoice::None};
-  const Lesion* const lesion = lesions_.empty() ? nullptr : &lesions_.front();
-  const auto offer = [&](ChordalChoice choice, const std::string& what, const std::string& why) {
-    if (why.empty())
-      offered.push_back(choice);
-    else
-      cut_.push_back({what, why});
-  };
-  const auto asked = [&](bool on_request, const char* technique) -> std::string {
-    if (is_forbidden(rules_, technique, "")) return "forbidden";
-    return on_request ? "" : "available on request";
-  };
-  const auto at_lesion = [&](std::string why, bool has_chorda, const char* none) {
-    if (why.empty() && lesion == nullptr) why = why_no_lesion();
-    return why.empty() && !has_chorda ? none : why;
-  };
-  std::string cutting = asked(rules_.chordal_excision, "chordal_excision");
-  if (cutting.empty() && !is_indicated(CarpentierType::IIIb)) cutting = kNotTethered;
-  if (cutting.empty() && anterior_struts(valve_, coordinates_).empty())
-    cutting = "the anterior leaflet has no strut chordae";
-  offer(ChordalChoice::CutStruts, "cutting of strut chordae", cutting);
-  offer(ChordalChoice::Shorten, "shortening of chordae",
-        at_lesion(asked(rules_.chordal_length_change, "chordal_length_change"),
-                  lesion != nullptr && !chordae_beside(valve_, coordinates_, *lesion, 1).empty(),
-                  "no intact marginal chorda is beside the lesion"));
-  offer(ChordalChoice::Transfer, "transfer of a chorda",
-        at_lesion(asked(rules_.chordal_transfer, "chordal_transfer"),
-                  lesion != nullptr && chorda_opposite(valve_, coordinates_, *lesion) >= 0,
-                  "no intact marginal chorda is opposite the lesion"));
-  return offered;
-}
-
-std::string PlanSpace::why_no_lesion() const {
-  return diagnosis_ ? "no segment prolapses" : "no marginal chorda is ruptured";
-}
-
-std::vector<LeafletChoice> PlanSpace::offer_leaflet() {
-  std::vector<LeafletChoice> offered = {LeafletChoice::None};
-  const Lesion* const posterior = posterior_lesion();
-  if (has_step<LeafletResection>(rules_.fixed)) {
-    cut_.push_back({"another resection", "a resection is fixed"});
-  } else if (is_forbidden(rules_, "leaflet_resection", "")) {
-    cut_.push_back({"resection", "forbidden"});
-  } else if (!rules_.leaflet_resection) {
-    cut_.push_back({"resection", "available on request"});
-  } else if (posterior == nullptr) {
-    cut_.push_back({"resection", lesions_.empty() ? why_no_lesion()
-                                                  : "the posterior leaflet does not prolapse"});
-  } else {
-    for (const auto& [shape, choice] :
-         {std::pair(ResectionShape::Triangular, LeafletChoice::Triangular),
-          std::pair(ResectionShape::Quadrangular, LeafletChoice::Quadrangular)})
-      if (is_forbidden(rules_, "leaflet_resection", to_string(shape)) ||
-          is_forbidden(rules_, "leaflet_resection", to_string(Leaflet::Posterior)))
-        cut_.push_back({std::string(to_string(shape)) + " resection", "forbidden"});
-      else
-        offered.push_back(choice);
-  }
-  if (has_step<EdgeToEdge>(rules_.fixed))
-    cut_.push_back({"another clip", "an edge-to-edge repair is fixed"});
-  else if (is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Clip)))
-    cut_.push_back({"clip", "forbidden"});
-  else if (!rules_.edge_to_edge)
-    cut_.push_back({"clip", "available on request"});
-  else if (lesions_.empty())
-    cut_.push_back({"clip", why_no_lesion()});
-  else
-    offered.push_back(LeafletChoice::Clip);
-  if (commissures_of(lesions_).empty() || has_step<EdgeToEdge>(rules_.fixed)) return offered;
-  if (is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::Stitch)))
-    cut_.push_back({"closure of a commissure", "forbidden"});
-  else
-    offered.push_back(LeafletChoice::CommissuralClosure);
-  return offered;
-}
-
-/// Wherever the diagnosis finds clefts that leak.
-bool PlanSpace::sutures_clefts() {
-  if (!diagnosis_ || diagnosis_->clefts.empty() || has_step<EdgeToEdge>(rules_.fixed)) return false;
-  const bool forbidden = is_forbidden(rules_, "edge_to_edge", to_string(EdgeDevice::CleftSuture));
-  if (forbidden) cut_.push_back({"suture of clefts", "forbidden"});
-  return !forbidden;
-}
-
-/// Of the posterior leaflet; null if it has none.
-const Lesion* PlanSpace::posterior_lesion() const {
-  const auto found = std::find_if(lesions_.begin(), lesions_.end(), [](const Lesion& lesion) {
-    return lesion.leaflet == Leaflet::Posterior;
-  });
-  return found == lesions_.end() ? nullptr : &*found;
-}
-
 /// Lesions that are left to neochordae: a resection and the closure of commissures mend their own.
 std::vector<const Lesion*> PlanSpace::held_by_neochordae(LeafletChoice leaflet) const {
   std::vector<const Lesion*> held;
   for (const Lesion& lesion : lesions_) {
     const bool mended = leaflet == LeafletChoice::CommissuralClosure
                             ? lesion.commissure.has_value()
-                            : is_resection(leaflet) && &lesion == posterior_lesion();
+                            : is_resection(leaflet) && &lesion == posterior_lesion(lesions_);
     if (!mended) held.push_back(&lesion);
   }
   return held;
@@ -407,7 +169,7 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
       plan.steps.emplace_back(LeafletResection{
           .shape = leaflet == LeafletChoice::Triangular ? ResectionShape::Triangular
                                                         : ResectionShape::Quadrangular,
-          .along = within(kResectionAlong, posterior_lesion()->middle),
+          .along = within(kResectionAlong, posterior_lesion(lesions_)->middle),
           .width_mm = width_mm});
       return;
     case LeafletChoice::Clip:
@@ -421,7 +183,7 @@ void PlanSpace::add_leaflet_step(RepairPlan& plan, LeafletChoice leaflet, double
   }
 }
 
-const PlanSpace::Ringed* PlanSpace::ringed(const std::string& shape, double size) const {
+const RingedValve* PlanSpace::ringed(const std::string& shape, double size) const {
   const auto found = ringed_.find({shape, static_cast<int>(std::lround(2.0 * size))});
   return found == ringed_.end() ? nullptr : &found->second;
 }
@@ -474,7 +236,7 @@ std::optional<Branch> PlanSpace::make_branch(const Choice& choice) const {
   return branch;
 }
 
-void PlanSpace::add_suture(RepairPlan& plan, const Ringed& ringed, Side side, Anchor anchor,
+void PlanSpace::add_suture(RepairPlan& plan, const RingedValve& ringed, Side side, Anchor anchor,
                            double movement_mm, double place) const {
   PapillaryApproximation suture{.side = side, .anchor = anchor};
   if (anchor == Anchor::AnnulusPoint) {
@@ -529,7 +291,7 @@ RepairPlan PlanSpace::plan(const Branch& branch, const LatticePoint& at) const {
         break;
     }
   }
-  const Ringed& base = *ringed(choice.ring, size);
+  const RingedValve& base = *ringed(choice.ring, size);
   RepairPlan plan = base.plan;
   for (const int index : {0, 1}) {
     const auto& anchor = index == 0 ? choice.anterolateral : choice.posteromedial;

@@ -49,6 +49,12 @@ inline double moved_mm(const Valve& valve, Side side) {
   return (papillary_tip_mm(valve, side) - papillary_tip_mm(before, side)).norm();
 }
 
+/// How much stiffer than the small valve's chordae those of this draw are.
+inline double stiffness(const Valve& valve) {
+  static const Valve own = small_valve();
+  return valve.tissue.chordae_kpa / own.tissue.chordae_kpa;
+}
+
 inline bool has_ring(const Valve& valve) {
   static const Valve before = fitting_valve();
   return valve.annulus_mm != before.annulus_mm;
