@@ -5,7 +5,9 @@
 
 #include "farm/work/closure_options_json.h"
 #include "farm/work/work_parts.h"
+#include "io/json/json_form.h"
 #include "io/json/parse_json.h"
+#include "io/json/plan_document.h"
 #include "io/json/plans_json.h"
 #include "io/json/search_options_json.h"
 #include "io/json/subject.h"
@@ -45,7 +47,17 @@ std::string search_one(const PlanWork& work, std::size_t index, int threads) {
   return bytes;
 }
 
-/// Whether it is the search that was asked for, on this valve.
+/// A document of plans as this version writes it; members that only some searches have are not in it.
+const Json& example_of_plans() {
+  static const Json example = [] {
+    SearchResult result;
+    result.plans.emplace_back();
+    return to_json(result, SearchRequest{});
+  }();
+  return example;
+}
+
+/// Whether it is the search that was asked for, on this valve, and whole: what a program does with plans, it can do with these.
 std::string objection_to(const PlanWork& work, std::size_t index, const PlanAnswer& answer) {
   const Expected<Json> plans = parse_json(answer.plans);
   const Json reproduce = plans && plans->is_object() ? plans->value("reproduce", Json()) : Json();
@@ -55,7 +67,15 @@ std::string objection_to(const PlanWork& work, std::size_t index, const PlanAnsw
     return "the plans are of another valve";
   const Expected<Json> search = parse_json(to_json(work.options).dump());  // in the reader's order
   if (reproduce.value("search", Json()) != *search) return "the plans are of another search";
-  return "";
+  if (const std::string where = differs_in_form(example_of_plans(), *plans); !where.empty())
+    return "the plans have another form at " + where;
+  std::vector<RepairPlan> repairs;
+  if (!(*plans)["plans"].empty()) {
+    const Expected<std::vector<NamedPlan>> named = read_plans(answer.plans);
+    if (!named) return "the plans cannot be read: " + named.errors().front().message;
+    for (const NamedPlan& plan : *named) repairs.push_back(plan.plan);
+  }
+  return objection_to_material(answer.material, work.valves.at(index), repairs);
 }
 
 Errors check_valves(const PlanWork& work) {

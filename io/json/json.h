@@ -2,8 +2,7 @@
 // those before it: an object of thousands is for writing, or is read by iterating.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "io/json/checked_json.h"
 #include "io/json/json_fwd.h"
 
 // What most sources would instantiate again is instantiated once, in json.cpp.

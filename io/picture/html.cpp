@@ -21,12 +21,14 @@ std::string tag(const std::string& name, const std::string& content) {
   return "<" + name + ">" + content + "</" + name + ">\n";
 }
 
+const std::string_view kPageOpening =
+    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+    "img-src data:; style-src 'unsafe-inline'\">\n";
+
 std::string html_page(const PageFrame& frame, const std::string& content) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-         "img-src data:; style-src 'unsafe-inline'\">\n" +
-         tag("title", escape_html(frame.title)) +
+  return std::string(kPageOpening) + tag("title", escape_html(frame.title)) +
          tag("style", std::string(kReportStyle) + frame.style) + "</head>\n<body>\n<main>\n" +
          tag("h1", escape_html(frame.title)) +
          (frame.lead.empty() ? "" : "<p class=\"lead\">" + escape_html(frame.lead) + "</p>\n") +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coapt {
@@ -13,6 +14,8 @@ struct PageFrame {
   std::string title, lead;
   std::string style;  ///< beside kReportStyle
 };
+/// How every page begins: with what forbids scripts and anything from elsewhere.
+extern const std::string_view kPageOpening;
 std::string html_page(const PageFrame& frame, const std::string& content);
 
 /// `opening`: its tag.

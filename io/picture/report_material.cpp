@@ -8,6 +8,7 @@
 
 #include "core/repair/apply_plan.h"
 #include "io/json/plan_json.h"
+#include "io/picture/html.h"
 
 namespace coapt {
 namespace {
@@ -219,6 +220,25 @@ Expected<std::string> report_page(std::string_view material, std::size_t page, c
       });
   if (!is_sound) return no_material();
   return html;
+}
+
+std::string objection_to_material(std::string_view material, const Valve& valve,
+                                  const std::vector<RepairPlan>& plans) {
+  const Expected<MaterialParts> parts = parts_of(material);
+  if (!parts) return "the material of the reports cannot be read";
+  if (parts->after.size() != plans.size() || parts->pages.size() != plans.size() + 1)
+    return "the reports are of another number of plans";
+  for (const std::string_view page : parts->pages)
+    if (!page.starts_with(kPageOpening)) return "a report is no page of coapt";
+  const Expected<ClosedValve> before = closed_of(parts->before, valve);
+  if (!before || !before->plan.steps.empty())
+    return "the closed shape before the repair does not fit the valve";
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const Expected<ClosedValve> closed = closed_of(parts->after[i], valve);
+    if (!closed || to_json(closed->plan) != to_json(plans[i]))
+      return "the closed shape of plan " + std::to_string(i + 1) + " is of another plan";
+  }
+  return "";
 }
 
 std::string with_pictures(const std::string& page,

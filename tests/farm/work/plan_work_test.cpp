@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "farm/work/work_parts.h"
 #include "io/json/json.h"
+#include "io/json/parse_json.h"
 #include "io/json/plan_document.h"
 #include "io/json/plans_json.h"
 #include "io/json/subject.h"
@@ -62,6 +64,56 @@ TEST(PlanWork, IsTheSearchThatAnybodyElseWouldMake) {
   options.seed += 1;
   const auto search = open_work(*plan_request({valve}, options));
   EXPECT_EQ(search->objection(0, 1, bytes), "the plans are of another search");
+}
+
+std::string packed(const PlanAnswer& answer) {
+  std::string bytes;
+  for (const std::string* part : {&answer.plans, &answer.material, &answer.tried})
+    pack_text(bytes, *part);
+  return bytes;
+}
+
+TEST(PlanWork, DisputesAnAnswerThatProgramsCouldNotReadOrShow) {
+  const auto request = plan_request(
+      {small_preset("human-functional-mr"), small_preset("human-p2-prolapse")}, quick_search());
+  const Expected<Work> work = open_work(*request);
+  ASSERT_TRUE(work);
+  const std::string bytes = work->compute(0, 1, 1);
+  const PlanAnswer answer = plan_answers(bytes)->front();
+  const Json plans = *parse_json(answer.plans);
+  ASSERT_FALSE(plans["plans"].empty());
+
+  const auto objection = [&](const auto& change) {
+    Json changed = plans;
+    change(changed);
+    return work->objection(0, 1, packed({changed.dump(), answer.material, answer.tried}));
+  };
+  EXPECT_EQ(objection([](Json&) {}), "");
+  EXPECT_EQ(objection([](Json& json) { json.erase("any_competent"); }),
+            "the plans have another form at /any_competent");
+  EXPECT_EQ(objection([](Json& json) { json["plans"] = "none"; }),
+            "the plans have another form at /plans");
+  EXPECT_EQ(objection([](Json& json) { json["plans"][0]["warnings"] = 7; }),
+            "the plans have another form at /plans/0/warnings");
+  EXPECT_EQ(objection([](Json& json) { json["plans"][0]["leak_mm2"].erase("nominal"); }),
+            "the plans have another form at /plans/0/leak_mm2/nominal");
+  EXPECT_EQ(objection([](Json& json) { json["plans"].push_back(json["plans"][0]); }),
+            "the reports are of another number of plans");
+  EXPECT_EQ(objection([](Json& json) { json["plans"][0]["plan"]["steps"] = Json::array(); }),
+            "the closed shape of plan 1 is of another plan");
+
+  const auto material = [&](const std::string& changed) {
+    return work->objection(0, 1, packed({answer.plans, changed, answer.tried}));
+  };
+  EXPECT_NE(material(""), "");
+  EXPECT_NE(material(answer.material.substr(0, answer.material.size() - 1)), "");
+  std::string scripted = answer.material;
+  const std::string_view policy = "default-src 'none'";
+  for (std::size_t at; (at = scripted.find(policy)) != scripted.npos;)
+    scripted.replace(at, policy.size(), "default-src 'self'");
+  EXPECT_EQ(material(scripted), "a report is no page of coapt");
+  const PlanAnswer other = plan_answers(work->compute(1, 1, 1))->front();
+  EXPECT_NE(material(other.material), "") << "of another valve";
 }
 
 TEST(PlanWork, AStoppedSearchHasNoAnswer) {
