@@ -12,6 +12,8 @@ constexpr std::size_t kMostRemembered = 1024;  // requests that ran out of time
 
 // No client's requests can make others be taken for more than these times what they are.
 constexpr double kFastest = 0.25, kSlowest = 4.0;
+constexpr double kTelling_s =
+    0.01;  // what is expected to take less does not tell how fast the machine is
 
 double seconds_since(Compute::Clock::time_point since) {
   return Seconds(Compute::Clock::now() - since).count();
@@ -68,6 +70,7 @@ Compute::Turn::~Turn() {
 }
 
 void Compute::Turn::done() {
+  if (ask_.seconds < kTelling_s) return;
   const std::lock_guard<std::mutex> lock(compute_.mutex_);
   compute_.slowness_[compute_.done_++ % compute_.slowness_.size()] =
       std::clamp(seconds_since(since_) / ask_.seconds, kFastest, kSlowest);

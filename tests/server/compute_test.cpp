@@ -135,6 +135,22 @@ TEST(Compute, LearnsHowFastTheMachineIsFromTheMedianOfWhatWasDone) {
   EXPECT_EQ(order, "a");
 }
 
+TEST(Compute, LearnsNothingFromWhatIsExpectedToTakeNoTime) {
+  Compute compute(2, hours(1), seconds(10));
+  for (int i = 0; i < 9; ++i) {
+    Compute::Turn quick(compute, {0.0, "b"});
+    std::this_thread::sleep_for(milliseconds(1));
+    quick.done();
+  }
+  std::string order;
+  {
+    std::optional<Compute::Turn> running(std::in_place, compute, TurnAsk{1.0, "b"});
+    Asking waits(compute, {9.0, "a"}, order);
+    running.reset();
+  }
+  EXPECT_EQ(order, "a") << "9 s do not count as 36";
+}
+
 TEST(Compute, ShortOnesGoFirstUntilALongOneHasWaitedLongEnough) {
   for (const auto& [pause, expected] :
        {std::pair{milliseconds(0), "sl"}, std::pair{milliseconds(600), "ls"}}) {
