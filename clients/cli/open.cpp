@@ -35,6 +35,7 @@ int write_opened(const OpenArguments& arguments, const OpenedValve& opened) {
       write_mesh(leaflet_mesh(opened.valve, opened.closure.closed_mm), format_of(arguments.opened),
                  doubt_about(opened.closure));
   if (!mesh) return report_errors(arguments.opened, mesh.errors());
+  note_doubt(arguments.opened, opened.closure);
   return write_output(arguments.opened, *mesh);
 }
 

@@ -34,6 +34,11 @@ class Files(ProgramTest):
         for file in sorted(PLANS.glob("*.json")):
             self.assertEqual(Plan.read(file).to_json(), json.loads(file.read_text()), file)
 
+    def test_a_file_without_an_end_is_read_no_further_than_the_command_line_reads(self):
+        for read in (coapt.read_valve, coapt.read_plans, coapt.Mesh.read):
+            with self.assertRaisesRegex(coapt.BadDocument, "/dev/zero: is larger than 64 MiB"):
+                read(pathlib.Path("/dev/zero"))
+
     def test_what_holds_no_plan_is_refused_with_its_place(self):
         for content, wrong in (
             ("{", "plans.json: is no JSON: Expecting"),

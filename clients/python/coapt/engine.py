@@ -13,7 +13,7 @@ from .asking import checked_threads, given, search_rules
 from .closures import Closure
 from .comparison import Comparison, ShapeSource
 from .errors import BadDocument
-from .files import GEOMETRY, Path, read_json
+from .files import GEOMETRY, Path, read_bounded, read_json
 from .fits import FitResult, Known, fit_target
 from .leaflets import local_closure
 from .local_transport import LocalTransport, engine_module, reading, refusing, with_threads_of_ones_own
@@ -103,7 +103,7 @@ class Engine(CopiedAsItself, Service):
                 f"{path}: is geometry, from which import_valve() makes a valve (Mesh.read() reads a mesh); a valve is a .json file"
             )
         try:
-            text = pathlib.Path(path).read_text(encoding="utf-8")
+            text = read_bounded(path).decode("utf-8")
         except (OSError, UnicodeDecodeError):
             read_json(path)  # says why
             raise

@@ -28,6 +28,19 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     return f'; did you mean "{near[0]}"?' if near else ""
 
 
+def read_bounded(path: Path, most_mib: int = 64) -> bytes:
+    """What is in it, up to what the command line reads.
+
+    :raises OSError: it cannot be read
+    :raises BadDocument: it is larger, or has no end
+    """
+    with open(path, "rb") as file:
+        content = file.read((most_mib << 20) + 1)
+    if len(content) > most_mib << 20:
+        raise BadDocument(f"{path}: is larger than {most_mib} MiB")
+    return content
+
+
 def read_json(path: Path) -> Any:
     """
     :raises NoSuchFile: it is not there
@@ -35,7 +48,7 @@ def read_json(path: Path) -> Any:
     """
     file = pathlib.Path(path)
     try:
-        content = file.read_bytes()
+        content = read_bounded(file)
     except FileNotFoundError as error:
         beside = [one.name for one in file.parent.glob("*.json")] if file.parent.is_dir() else []
         raise NoSuchFile(

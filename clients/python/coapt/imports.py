@@ -9,9 +9,11 @@ from collections.abc import Iterable
 from typing import Any
 
 from .errors import NoSuchFile
+from .files import read_bounded
 from .geometry import packed_geometry
 
 _BINARY = (".ply", ".stl", ".glb", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".bz2", ".mha")  # may be
+_MOST_MIB = 1040  # 2^27 voxels of 8 bytes, and a header
 _OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
 
 
@@ -24,7 +26,7 @@ def packed(path: str | os.PathLike[str] | Any, name: str = "surface") -> dict[st
         return packed_geometry(path, name)
     file = pathlib.Path(path)
     try:
-        content = file.read_bytes()
+        content = read_bounded(file, _MOST_MIB)
     except OSError as error:
         raise NoSuchFile(f"{path}: cannot be read: {error.strerror}") from error
     if file.suffix.lower() in _BINARY:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .drawn_meshes import OBLIQUE, Lines, axes_of, png_of
 from .errors import MissingPackage, NoSuchFile
+from .files import read_bounded
 from .fields import SEGMENTS, Fields
 from .local_transport import engine_module, reading
 
@@ -113,7 +114,7 @@ class Mesh:
         """
         file = pathlib.Path(path)
         try:
-            content = file.read_bytes()
+            content = read_bounded(file)
         except OSError as error:
             raise NoSuchFile(f"{path}: cannot be read: {error.strerror}") from error
         with reading(f"{path} is no mesh"):
