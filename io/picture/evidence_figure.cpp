@@ -30,8 +30,8 @@ struct Layout {
 };
 constexpr Layout kFull = {300.0, 235.0, 2, true}, kBrief = {225.0, 225.0, 3, false};
 constexpr int kLineColumns = 3;
-// The same for all plans and on the page (clients/web/src/search/evidence.ts): competent below 1,
-// a good repair below 5.
+// The same for all plans and on the page (clients/web/src/search/evidence.ts): none or trace below
+// 1, mild below 5.
 constexpr std::array<double, kShades - 1> kLeakLimits_mm2 = {0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 20.0};
 constexpr double kLengthStep_mm = 0.25;
 
@@ -226,7 +226,7 @@ Panel tolerance_panel(const RankedPlan& plan, int step) {
       for (const double error : curve.error_mm) errors = including(errors, error);
       for (const double leak : curve.leak_mm2) leaks = including(leaks, leak);
     }
-    panel.series.push_back({"competent below",
+    panel.series.push_back({"none or trace below " + shown(kTraceLeak_mm2) + " mm²",
                             {errors.low, errors.high},
                             {kTraceLeak_mm2, kTraceLeak_mm2},
                             Hue::Ink,

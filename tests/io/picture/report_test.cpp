@@ -111,7 +111,7 @@ TEST(Report, AStepOfTheFirstPlanHasACurveOfItsLeakOverItsErrors) {
   result.plans[0].tolerance = {{0, StepError::RingSize, {-2.0, 0.0, 2.0}, {0.1, 0.2, 4.0}}};
   const std::string evidence = section(html_of(result), "Evidence, plan by plan");
   EXPECT_EQ(count(evidence, "Error of the ring"), 1u);
-  EXPECT_EQ(count(evidence, "competent below"), 1u);
+  EXPECT_EQ(count(evidence, "none or trace below 1 mm²"), 1u);
 }
 
 TEST(Report, TellsItsDateOnTheFirstPageAndEverySheet) {

@@ -1,5 +1,5 @@
-// Answers in place of coapt-server, for the page without one (make static): closures, scenes, openings, diagnoses, evaluations and searches
-// from the engine, presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
+// Answers in place of coapt-server, for the page without one (make static): what is asked about one valve, evaluations and searches from
+// the engine, presets from files beside the page, valves that were opened from this browser. All else needs coapt-server.
 import { presetWords } from '../valve/presets'
 import type { KeptValve, ValveShelf } from './kept_valves'
 import type { LocalJobs } from './local_jobs'
@@ -16,7 +16,10 @@ export interface LocalParts {
 /// `body`: a value, or JSON as text. Answers what is wrong as a service does; rejects if `signal` says so.
 export type LocalService = (method: string, path: string, body?: unknown, signal?: AbortSignal) => Promise<Response>
 
-const COMPUTED = ['/v1/closures', '/v1/scenes', '/v1/openings', '/v1/diagnoses']
+const COMPUTED = [
+  ...['/v1/closures', '/v1/scenes', '/v1/openings', '/v1/diagnoses'],
+  ...['/v1/information', '/v1/comparisons', '/v1/valves:observe'],
+]
 const SCORED = '/v1/evaluations'
 const SEARCHED = '/v1/plans'
 const PRESETS = '/v1/presets'

@@ -6,7 +6,7 @@ import { PLANNER_FILE, startThreads } from './thread'
 
 const MOST_THREADS = 8 // of a search: each takes some 50 MB
 
-const engine = startThreads()
+const engine = startThreads(2) // a valve's draws of tissue beside its closures
 const planner = startThreads(Math.min(navigator.hardwareConcurrency || 1, MOST_THREADS), PLANNER_FILE)
 
 export const pageService = localService({

@@ -3,6 +3,7 @@ import type { Plan, Vector } from '../api/types'
 import { h } from '../dom'
 import { number } from '../format'
 import { readPicture, type Picture } from '../engine/picture'
+import { hasRing } from '../repair/steps'
 import { at, onFace } from '../viewer/geometry'
 import { boxesOver } from '../viewer/label_layout'
 import { type Label, Labels } from '../viewer/labels'
@@ -180,10 +181,9 @@ export class LiveCanvas {
 
   /// What the engine has let go, because the tissue or chorda that it held is another one, is let go here, too.
   private take(valve: LiveValve, plan: Plan | null): LiveValve {
-    const hasRing = plan?.steps.some((step) => step.step === 'annuloplasty') ?? false
     for (const [hook, holds] of valve.hooks.entries()) if (!holds) this.hooks.release(hook)
     this.last = null
-    this.drawing.set(valve, hasRing)
+    this.drawing.set(valve, hasRing(plan))
     if (!this.isStarted || this.options.isFixed) this.view(this.options.view)
     this.isStarted = true
     this.client?.send({ live: 'picture' })

@@ -11,6 +11,7 @@ import { PlanEditor } from '../repair/plan_editor'
 import { valveText } from '../state/valves'
 import { DistanceTool } from '../valve/distance'
 import { headline } from '../valve/headline'
+import { knownTissue } from '../valve/tissue_error'
 import { viewButtons } from '../valve/looks'
 import type { View } from '../view'
 import { dot, minus } from '../viewer/geometry'
@@ -152,7 +153,7 @@ export class LiveView implements View {
     this.editor.update()
     this.kept.update()
     this.accept.disabled = after === null || !isAnswered
-    this.headline.replaceChildren(headline(before, after))
+    this.headline.replaceChildren(headline(before, after, knownTissue(after ?? before)))
     void this.follow()
   }
 

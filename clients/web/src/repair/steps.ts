@@ -1,5 +1,5 @@
 // Steps of a repair plan: what they are called, what a new one is, what may be set of them.
-import type { LeafletPoint, Scene, Side, Step, Vector } from '../api/types'
+import type { LeafletPoint, Plan, Scene, Side, Step, Vector } from '../api/types'
 import { counted } from '../format'
 import { annulusPoint, at, distance, leafletPlace, papillaryTip } from '../viewer/geometry'
 
@@ -38,6 +38,10 @@ export const FREE_EDGE: Readonly<Record<string, LeafletPoint>> = Object.fromEntr
     ]),
   ),
 )
+
+export function hasRing(plan: Plan | null): boolean {
+  return plan?.steps.some((step) => step.step === 'annuloplasty') ?? false
+}
 
 /// Steps that need nothing picked, as they are added first.
 export const FIRST_STEPS = {

@@ -236,7 +236,7 @@ function curves({ ways, unit }: Misses, { samples }: Tolerance, limit_mm2: numbe
     return { label: name, hue: way as 0 | 1 | 2, x: on.map(([x]) => x), y: on.map(([, y]) => y) }
   })
   const limit: Series = {
-    label: 'competent below',
+    label: `competent below ${number(limit_mm2, 0)} mm²`,
     hue: 'ink',
     look: 'dashed',
     x: [-reach, reach],

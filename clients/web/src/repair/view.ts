@@ -21,6 +21,7 @@ import { handlesOf } from './handles'
 import { KeptPlans } from './kept_plans'
 import { Picking } from './picking'
 import { PlanEditor } from './plan_editor'
+import { hasRing } from './steps'
 import { TolerancePanel } from './tolerance_panel'
 import parts from '../style/parts.module.css'
 import repairStyle from './repair.module.css'
@@ -143,7 +144,7 @@ export class RepairView implements View {
     const after = this.workspace.after ?? before
     const isClosed = this.workspace.after !== null
     const look = this.looks.look(isClosed ? [before, after] : [before])
-    const ringed = isClosed && plan.steps.some((step) => step.step === 'annuloplasty')
+    const ringed = isClosed && hasRing(plan)
     if (this.before.shown !== before) this.before.set(before, look)
     if (this.after.shown !== after || this.ringed !== ringed) this.after.set(after, look, ringed)
     this.ringed = ringed

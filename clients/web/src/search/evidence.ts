@@ -10,7 +10,7 @@ import { lengthName, meanAndSd } from './figures'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
-// Of all leak maps, here and in the report (io/picture/evidence_figure.cpp): competent below 1, a good repair below 5.
+// Of all leak maps, here and in the report (io/picture/evidence_figure.cpp): none or trace below 1, mild below 5.
 export const LEAK_LIMITS_MM2 = [0.5, 1, 2, 3, 5, 10, 20]
 
 const signed = (value: number, digits: number) => (value > 0 ? '+' : '') + number(value, digits)

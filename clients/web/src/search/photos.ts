@@ -4,6 +4,7 @@
 import { drawScene, openValve } from '../api/calls'
 import type { Opening, Plan, Scene, Vector } from '../api/types'
 import { h } from '../dom'
+import { hasRing } from '../repair/steps'
 import { onTheme } from '../shell/theme'
 import { sectionInset } from '../valve/section_inset'
 import { TINTS } from '../viewer/colours'
@@ -108,8 +109,7 @@ export class Photos {
     if (!pen) return
     pen.drawImage(drawn, 0, 0)
     pen.scale(drawn.width / drawn.clientWidth, drawn.height / drawn.clientHeight)
-    const hasRing = plan?.steps.some(({ step }) => step === 'annuloplasty') ?? false
-    drawImplants(pen, scene, hasRing, (point) => viewer.stage.place(point))
+    drawImplants(pen, scene, hasRing(plan), (point) => viewer.stage.place(point))
   }
 
   private scene(plan: Plan | null): Promise<Scene> {

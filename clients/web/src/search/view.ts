@@ -8,6 +8,7 @@ import { describe } from '../repair/steps'
 import type { View } from '../view'
 import type { Workspace } from '../workspace'
 import { headline } from '../valve/headline'
+import { TissueError } from '../valve/tissue_error'
 import { searchForm } from './form'
 import { searchPanel } from './job_panel'
 import { inShort } from './in_short'
@@ -19,6 +20,8 @@ export class SearchView implements View {
   readonly element: HTMLElement
   private readonly jobs: JobView
   private readonly valve = h('div', {})
+  private readonly headline = h('div', {})
+  private readonly tissue = new TissueError(() => this.tell())
   private shown: string | null = null // the valve that is pictured
   private picture = new AbortController()
 
@@ -51,12 +54,14 @@ export class SearchView implements View {
   /// The valve of which repairs are searched for, while nothing else is shown.
   private tell(): void {
     const { valve, before } = this.workspace
-    if (!valve || !before || valve.reference === this.shown || !this.valve.isConnected) return
+    if (!valve || !before || !this.valve.isConnected) return
+    this.headline.replaceChildren(headline(before, null, this.tissue.of(before, valve.reference, null)))
+    if (valve.reference === this.shown) return
     this.shown = valve.reference
     this.picture.abort()
     this.picture = new AbortController()
     const photo = new Photos(valve.reference, this.picture.signal).photo(null, `${valve.label} from the atrium`)
-    this.valve.replaceChildren(headline(before, null), photo)
+    this.valve.replaceChildren(this.headline, photo)
   }
 }
 

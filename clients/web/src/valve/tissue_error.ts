@@ -8,6 +8,11 @@ const CLOSURES = 24 // a second of one core: a service lets these go first
 
 const known = new WeakMap<Scene, Information>() // in every view
 
+/// What has come for this scene, in any view.
+export function knownTissue(scene: Scene): Information | null {
+  return known.get(scene) ?? null
+}
+
 export class TissueError {
   private scene: Scene | null = null // that was asked for last
   private timer = 0
@@ -23,7 +28,7 @@ export class TissueError {
       if (reference !== undefined && !known.has(scene))
         this.timer = window.setTimeout(() => void this.ask(scene, reference, plan), REST_MS)
     }
-    return known.get(scene) ?? null
+    return knownTissue(scene)
   }
 
   private clear(): void {

@@ -2,6 +2,7 @@
 import { drawScene } from '../api/calls'
 import type { Plan } from '../api/types'
 import { h } from '../dom'
+import { hasRing } from '../repair/steps'
 import { leakWords } from '../valve/headline'
 import { Viewer } from './viewer'
 import viewerStyle from './viewer.module.css'
@@ -40,7 +41,7 @@ export function sideBySide(): SideBySide {
         const caption = captions[i]
         if (!scene || !caption) continue
         caption.textContent = `${both[i]?.name}: ${leakWords(scene.closure)}`
-        viewer.set(scene, LOOK)
+        viewer.set(scene, LOOK, hasRing(both[i]?.plan ?? null))
       }
     },
   }

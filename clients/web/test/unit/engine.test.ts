@@ -228,6 +228,12 @@ test('a valve that nobody knows is said to be none', async () => {
   expect(asked).toEqual([])
 })
 
+test.each(['/v1/information', '/v1/comparisons', '/v1/valves:observe'])('the engine answers %s', async (path) => {
+  const { ask, asked } = service()
+  expect((await ask('POST', path, { valve: 'barlow' })).status).toBe(200)
+  expect(asked).toEqual([{ path, body: `{"valve":${VALVE}}` }])
+})
+
 test('all else needs coapt-server', async () => {
   const { ask } = service()
   for (const [method, path] of [
