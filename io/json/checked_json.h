@@ -2,8 +2,14 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #if defined(__cpp_exceptions)
-#define JSON_ASSERT(holds) ((holds) ? void() : throw std::out_of_range("JSON without " #holds))
+namespace coapt {
+[[noreturn]] inline void json_without(const char* what) {
+  throw std::out_of_range(std::string("JSON without ") + what);
+}
+}  // namespace coapt
+#define JSON_ASSERT(holds) ((holds) ? void() : ::coapt::json_without(#holds))
 #endif
 #include <nlohmann/json.hpp>
