@@ -153,7 +153,7 @@ export class LiveView implements View {
     this.editor.update()
     this.kept.update()
     this.accept.disabled = after === null || !isAnswered
-    this.headline.replaceChildren(headline(before, after, knownTissue(after ?? before)))
+    this.headline.replaceChildren(headline(before, after, knownTissue(after ?? before) ?? undefined))
     void this.follow()
   }
 

@@ -6,15 +6,16 @@ import { explained, term } from '../help/term'
 import { narrowing } from './information'
 import valveStyle from './valve.module.css'
 
-/// `drawn`: of the valve as it is shown last; null while it is not known. `why`: below the leak.
+/// `drawn`: of the valve as it is shown last; null while it is not known, which leaves room for it: nothing moves under a pointer when it
+/// comes. `why`: below the leak.
 export function headline(
   before: Scene,
   after: Scene | null,
-  drawn: Information | null = null,
+  drawn?: Information | null,
   why: HTMLElement | null = null,
 ): HTMLElement {
   const { closure } = after ?? before
-  const tissue = widerTissue(closure, drawn)
+  const tissue = widerTissue(closure, drawn ?? null)
   return h(
     'p',
     { class: valveStyle.headline, 'data-part': 'headline' },
@@ -31,7 +32,8 @@ export function headline(
           : term('error', '± numerical error'),
     ),
     why,
-    tissue && drawn && h('span', { class: `${valveStyle.sure} ${valveStyle.below}` }, narrowing(drawn)),
+    drawn !== undefined &&
+      h('span', { class: `${valveStyle.sure} ${valveStyle.below}` }, (tissue && drawn && narrowing(drawn)) || '\u00a0'),
   )
 }
 

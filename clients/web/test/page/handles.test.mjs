@@ -62,6 +62,25 @@ test("a suture's end is dragged: its length is told, applied once when it is let
   assert.deepEqual(await leaks(), leak)
 })
 
+test('a handle stays under the pointer when the tissue error comes', async () => {
+  const range = page.locator('[data-part=narrowing]')
+  const suture = handle('Suture length, posteromedial')
+  let tell
+  const isAsked = new Promise((told) => (tell = told))
+  await page.route('**/v1/information', (route) => isAsked.then(() => route.continue()))
+  await suture.press('ArrowUp')
+  await range.waitFor({ state: 'detached' })
+  await isAnswered()
+  await settled()
+  const place = await suture.boundingBox()
+  tell()
+  await range.waitFor()
+  assert.deepEqual(await suture.boundingBox(), place)
+  await page.unroute('**/v1/information')
+  await page.keyboard.press('Control+z')
+  await isAnswered()
+})
+
 test('Escape leaves a handle that is held where it was', async () => {
   const before_ = await steps()
   await dragBy('Suture length, posteromedial', 0, -30)
