@@ -136,10 +136,8 @@ std::string pictures(const PlanReport& report, std::size_t index) {
 }
 
 std::string undersizing(const RankedPlan& plan) {
-  const bool ring = std::any_of(
-      plan.plan.steps.begin(), plan.plan.steps.end(),
-      [](const RepairStep& step) { return std::holds_alternative<Annuloplasty>(step); });
-  return ring ? fixed(plan.effort.sizes_below, 1) + " sizes" : "no ring";
+  return has_step<Annuloplasty>(plan.plan) ? fixed(plan.effort.sizes_below, 1) + " sizes"
+                                           : "no ring";
 }
 
 std::string opening_figure(const RankedPlan& plan) {

@@ -218,9 +218,7 @@ const std::vector<DiseaseCourse>& disease_courses() {
 Valve disturb(const Valve& before, const Valve& repaired, const RepairPlan& plan,
               const Disturbance& disturbance) {
   Valve valve = repaired;
-  const bool ring = std::any_of(plan.steps.begin(), plan.steps.end(), [](const RepairStep& step) {
-    return std::holds_alternative<Annuloplasty>(step);
-  });
+  const bool ring = has_step<Annuloplasty>(plan);
   if (!ring && disturbance.annular_growth_mm > 0.0)
     grow_annulus(disturbance.annular_growth_mm, valve);
   if (ring && disturbance.sewing != SewingError{}) missew(before, disturbance.sewing, valve);

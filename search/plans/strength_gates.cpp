@@ -15,15 +15,9 @@ constexpr const char* kKnots = "240 knots of ePTFE sutures: Ann Thorac Surg 2016
 constexpr const char* kRingSutures =
     "forces in sheep, strength of their annuli: Pierce 2016 (Ann Thorac Surg, PubMed 27133454)";
 
-template <class Step>
-bool has(const RepairPlan& plan) {
-  return std::any_of(plan.steps.begin(), plan.steps.end(),
-                     [](const RepairStep& step) { return std::holds_alternative<Step>(step); });
-}
-
 Gate neochorda_strength(const PlanRecord& plan) {
   constexpr const char* kRule = "neochorda_strength";
-  if (!has<Neochorda>(plan.plan)) return {kRule, GateSeverity::Pass, "no neochorda", kKnots};
+  if (!has_step<Neochorda>(plan.plan)) return {kRule, GateSeverity::Pass, "no neochorda", kKnots};
   double peak = 0.0;
   int trusted_closures = 0, above = 0;
   for (const auto& [disturbance, closure] : plan.closures) {
@@ -52,7 +46,7 @@ Gate neochorda_strength(const PlanRecord& plan) {
 
 std::vector<Gate> strength_gates(const PlanRecord& plan) {
   Gate ring{"ring_sutures", GateSeverity::Pass, "no ring", kRingSutures};
-  if (has<Annuloplasty>(plan.plan)) {
+  if (has_step<Annuloplasty>(plan.plan)) {
     ring.severity = GateSeverity::NotAssessed;
     ring.finding =
         "forces on ring sutures are not simulated; published forces are 2.8 ± 1.3 N anteriorly and "
