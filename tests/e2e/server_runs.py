@@ -2,13 +2,9 @@
 
 import json
 import subprocess
-import sys
 
-from programs import OK, SERVER, SOURCE, ProgramTest
-
-sys.path.insert(0, str(SOURCE / "tests/service"))
-
-from served import Server, search_of  # noqa: E402, F401 (search_of for the tests)
+from programs import OK, SERVER, ProgramTest
+from served import Server, search_of  # noqa: F401 (found through programs; search_of for the tests)
 
 
 class ServerTest(ProgramTest):

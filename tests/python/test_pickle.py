@@ -16,6 +16,7 @@ import programs
 from client_runs import SMALL, VALVE, EngineTest, has_engine
 from coapt import OwnRing, Plan, Ring
 from coapt.errors import Problem
+from process_runs import HANGS_S
 
 ENGINE = has_engine()
 PROBLEMS = (Problem("out_of_range", "/plan", "is wrong"),)
@@ -278,7 +279,7 @@ class Processes(EngineTest):
             "    sys.exit(0 if there == here else 1)\n"
             "sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) or (asked() != here))\n"
         )
-        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=1200,
+        run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=HANGS_S,
                              env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
@@ -294,7 +295,7 @@ class Processes(EngineTest):
             "sys.exit(os.waitstatus_to_exitcode(os.wait()[1]))\n"
         )
         run = subprocess.run([sys.executable, "-c", code, self.folder / "x.sqlite"], capture_output=True, text=True,
-                             timeout=1200, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
+                             timeout=HANGS_S, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
         self.assertEqual((run.returncode, run.stderr), (7, ""))
 
 

@@ -1,11 +1,10 @@
 """From a segmentation below ProbeToRAS to plans and back: what is sent, where it comes back, what is said."""
 
 import json
-import time
 import unittest
 
 import numpy
-from process_runs import HANGS_S
+from process_runs import wait_until
 from programs import SOURCE
 from slicer_runs import COARSE, SMALL, Asked, SlicerTest, case, example, probe_to_ras, read_nrrd, service
 
@@ -206,10 +205,7 @@ class Flow(SlicerTest):
         self.assertIsNone(taken.valve)
 
     def until(self, task, condition):
-        deadline = time.monotonic() + HANGS_S
-        while not condition() and not task.poll():
-            self.assertLess(time.monotonic(), deadline, task.said)
-            time.sleep(0.01)
+        wait_until(lambda: condition() or task.poll())
 
     @staticmethod
     def closures(said):
