@@ -162,7 +162,7 @@ class Told(FarmTest):
 
     def test_metrics_are_those_of_the_status(self):
         request = Request(20)
-        self.farm("add", "-", "--label", 'quoted "twice"\\', stdin=request.bytes())
+        self.farm("add", "-", "--check-share", "0", "--label", 'quoted "twice"\\', stdin=request.bytes())
         self.farm("work", "--until-dry", "--name", "anna")
         text = self.farm("status", "--prometheus").stdout.decode()
         self.assertIn('coapt_farm_run_items_done{run="1",label="quoted \\"twice\\"\\\\",state="done"} 20\n', text)
