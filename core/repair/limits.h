@@ -37,6 +37,9 @@ inline constexpr Range kShare = {0.0, 1.0};  ///< leaflet coordinates, place on 
 
 // Usual; outside, the search does not look and a plan is warned of.
 inline constexpr double kMostSizesBelow = 4.0;  ///< more is rejected in practice
+/// Where nothing tethers the leaflets: the true size or the next below it. Full sizes of 33.0 +- 3.0 and 33.6 +- 3.4 mm were taken for
+/// prolapse of P2 (CAMRA CardioLink-2), 36 to 40 mm for Barlow's disease (Adams 2006).
+inline constexpr double kMostSizesBelowUntethered = 1.5;
 inline constexpr Range kUsualSizesBelow = {2.0, kMostSizesBelow};
 inline constexpr double kStenoticRing_mm = 27.0;  ///< labelled; this or less predicts stenosis
 /// From a papillary tip to its trigone, 57 cadavers: mean, sd and their sum, up to which is normal.

@@ -104,6 +104,7 @@ Gate undersizing(const SurgicalOperation& operation) {
     const double sizes = ring_sizes_below(operation.valve, operation.repaired);
     constexpr double kLeast = 0.05;  // sizes that are printed
     const std::string true_size = mm(true_ring_size_mm(operation.valve)) + " (by area); ";
+    const double usual = operation.untethered ? kMostSizesBelowUntethered : kMostSizesBelow;
     const std::string figure =
         ring_words(ring) + " is " +
         (sizes < kLeast ? "of the true size or larger, which is " + true_size
@@ -113,8 +114,9 @@ Gate undersizing(const SurgicalOperation& operation) {
           rule, GateSeverity::Reject,
           figure + "more than " + shown(kMostSizesBelow) + " sizes below are not used in practice");
     else
-      tell(rule, GateSeverity::Pass,
-           figure + "up to " + shown(kMostSizesBelow) + " sizes below are used in practice");
+      tell(rule, sizes > usual + kGateRounding ? GateSeverity::Warn : GateSeverity::Pass,
+           figure + "up to " + shown(usual) + " sizes below are used in practice" +
+               (operation.untethered ? " where no leaflet is tethered" : ""));
   }
   return or_none(rule, "no ring");
 }

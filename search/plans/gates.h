@@ -21,8 +21,9 @@ struct Gate {
 
 struct SurgicalOperation {
   const RepairPlan& plan;
-  const Valve& valve;     ///< before
-  const Valve& repaired;  ///< apply_plan() of these
+  const Valve& valve;       ///< before
+  const Valve& repaired;    ///< apply_plan() of these
+  bool untethered = false;  ///< its leaflets, for sure: rings then are hardly undersized
 };
 
 /// Of what is done, whether or not the valve then closes: "ring_width", "ring_stenosis",

@@ -98,7 +98,7 @@ PlanRecord& PlanEvaluations::record(const RepairPlan& plan) {
   if (repaired) {
     made->effort = effort(valve_, *repaired, plan);
     made->place = place_of(*repaired, plan);
-    const std::vector<Gate> gates = operation_gates({plan, valve_, *repaired});
+    const std::vector<Gate> gates = operation_gates({plan, valve_, *repaired, untethered_});
     for (const Gate& gate : gates)
       if (gate.severity == GateSeverity::Reject && made->rejected_by.empty() &&
           !tolerated_.contains(gate.rule))
@@ -375,6 +375,7 @@ double PlanEvaluations::guide(const PlanRecord& plan, int count) const {
 void PlanEvaluations::tell(const Diagnosis& diagnosis) {
   tethered_ = diagnosis.type_sure && may_be(diagnosis, CarpentierType::IIIb) &&
               !may_be(diagnosis, CarpentierType::II);
+  untethered_ = diagnosis.type_sure && !may_be(diagnosis, CarpentierType::IIIb);
 }
 
 double PlanEvaluations::movement_guide() const {

@@ -87,6 +87,8 @@ class PlanEvaluations {
   void expect_more(int closures) { monitor_.plan_more(closures); }
   /// Its leaflets are tethered, for sure, and none prolapses.
   bool tethered() const { return tethered_; }
+  /// They are not tethered, for sure.
+  bool untethered() const { return untethered_; }
   const CostContext& context() const { return context_; }
   const Valve& valve() const { return valve_; }
   int threads() const { return options_.threads; }
@@ -177,7 +179,7 @@ class PlanEvaluations {
   SearchMonitor& monitor_;
   ClosedPlan before_;
   double leaflet_ratio_before_;  // PlanClosure::leaflet_ratio
-  bool tethered_ = false;
+  bool tethered_ = false, untethered_ = false;
   CostContext context_;
 
   Mutex mutex_;

@@ -66,7 +66,8 @@ bool all_durabilities_known(const std::vector<PlanRecord*>& plans) {
 /// Every rule of practice, and what it says of the plan.
 std::vector<Gate> gates_of(const PlanEvaluations& evaluations, const PlanRecord& record,
                            const Valve& repaired, const Evaluation& closed) {
-  std::vector<Gate> gates = operation_gates({record.plan, evaluations.valve(), repaired});
+  std::vector<Gate> gates =
+      operation_gates({record.plan, evaluations.valve(), repaired, evaluations.untethered()});
   for (const std::vector<Gate>& more :
        {opening_gates(record.opening),
         closure_gates(closed, evaluations.before(), evaluations.tethered()),

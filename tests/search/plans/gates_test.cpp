@@ -94,6 +94,20 @@ TEST(Gates, MoreThanFourSizesBelowTheTrueOneIsRejectedByArea) {
               "of the true size or larger, which is 25.9 mm");
 }
 
+TEST(Gates, WhereNothingTethersTheLeafletsRingsAreOfTheTrueSizeOrTheNextBelow) {
+  const auto of_free_leaflets = [](int sizes_below) {
+    const Valve valve = fitting_valve();
+    const RepairPlan plan{{own_ring(sizes_below)}};
+    return operation_gates({plan, valve, *apply_plan(valve, plan), true});
+  };
+  expect_gate(of_free_leaflets(1), "undersizing", GateSeverity::Pass, "0.7 sizes below");
+  expect_gate(of_free_leaflets(2), "undersizing", GateSeverity::Warn,
+              "up to 1.5 sizes below are used in practice where no leaflet is tethered");
+  EXPECT_EQ(avoidable_warnings(of_free_leaflets(2)), 1);
+  expect_gate(gates(own_ring(2)), "undersizing", GateSeverity::Pass, "up to 4 sizes");
+  expect_gate(of_free_leaflets(5), "undersizing", GateSeverity::Reject, "more than 4");
+}
+
 TEST(Gates, MusclesMoveByTenMillimetresAndNoneByMoreThanFifteen) {
   expect_gate(gates(suture(Anchor::IpsilateralTrigone, 20.0)), "papillary_movement",
               GateSeverity::Pass, "anterolateral papillary muscle is relocated by 8.6 mm");
