@@ -290,7 +290,7 @@ def draw_stability(rows):
     axes = each_once(row["axis"] for row in rows)
     across = min(4, len(axes))
     down = -(-len(axes) // across)
-    heights = [0.6] + [0.35 + 1.75 * down] * len(scenes)
+    heights = [0.6] + [0.35 + 2.1 * down] * len(scenes)
     figure = plt.figure(figsize=(1.0 + 2.75 * across, 0.4 + sum(heights)), layout="constrained")
     title(figure, "Where each method closes a valve, and where it fails")
     figure.get_layout_engine().set(w_pad=0.08)

@@ -20,11 +20,9 @@ constexpr int kEndSteps = 20000;
 
 }  // namespace
 
-StabilityLevel::StabilityLevel(const StabilityScene& scene)
-    : scene_(scene),
-      model_(make_closure_model(scene.valve, Membrane::Springs)),
-      attempt_{scene.step, {}} {
-  options_.membrane = Membrane::Springs;
+StabilityLevel::StabilityLevel(const StabilityScene& scene, Membrane membrane)
+    : scene_(scene), model_(make_closure_model(scene.valve, membrane)), attempt_{scene.step, {}} {
+  options_.membrane = membrane;
   options_.contact_pressure_mpa *= scene.contact_stiffness;
   const double thickness = scene.valve.tissue.thickness_mm;
   attempt_.contact = {thickness, options_.contact_pressure_mpa / (thickness * thickness), false};

@@ -11,7 +11,7 @@ inline constexpr const char* kLadderName = "coapt";
 class StabilityLevel {
  public:
   /// Closes the reference: `fast` carried to residual 1e-6 in double.
-  explicit StabilityLevel(const StabilityScene& scene);
+  StabilityLevel(const StabilityScene& scene, Membrane membrane);
 
   /// One attempt; scene, axis and level of the cell are left to the caller.
   StabilityCell close(const StabilityMethod& method) const;

@@ -12,8 +12,9 @@ namespace {
 
 // Ten times what the thesis's method and five times what `fast` need for the nominal scenes.
 constexpr int kThesisSteps = 10000, kFastSteps = 3000;
-constexpr int kThesisTriangles = 2600;  // 5,200 take a minute
-constexpr double kFastWay_mm = 0.04;    // as the defaults: 0.02 mm at 0.005
+constexpr int kThesisTriangles = 2600;           // 5,200 take a minute
+constexpr double kFastWay_mm = 0.04;             // as the defaults: 0.02 mm at 0.005
+constexpr double kPreconditionedDamping = 0.06;  // as close_valve()'s
 
 ClosureRun close_by_thesis(const ClosureModel& model, const AttemptSettings& attempt) {
   ThesisSettings settings;
@@ -26,9 +27,7 @@ ClosureRun close_by_thesis(const ClosureModel& model, const AttemptSettings& att
 
 /// `step` is the length of a step squared: the mass falls with it.
 ClosureRun close_by_relaxation(const ClosureModel& model, const AttemptSettings& attempt,
-                               bool guards) {
-  RelaxationSettings settings;
-  settings.guards = guards;
+                               RelaxationSettings settings) {
   settings.residual_tolerance = kStabilityResidual;
   settings.way_tolerance_mm = kFastWay_mm;
   settings.max_steps = kFastSteps;
@@ -60,13 +59,13 @@ std::vector<Task> tasks_of(const StabilityStudyOptions& options) {
 std::vector<StabilityCell> close_level(const Task& task,
                                        const std::vector<StabilityMethod>& methods) {
   const StabilityScene scene = make_stability_scene(task.scene, task.axis, task.level);
-  const StabilityLevel level(scene);
+  const StabilityLevel springs(scene, Membrane::Springs), continuum(scene, Membrane::Continuum);
   std::vector<StabilityCell> cells;
   const auto triangles = static_cast<int>(scene.valve.faces.rows());
   for (const StabilityMethod& method : methods)
     if (method.most_triangles == 0 || triangles <= method.most_triangles)
-      cells.push_back(level.close(method));
-  cells.push_back(level.close_with_ladder());
+      cells.push_back((method.membrane == Membrane::Springs ? springs : continuum).close(method));
+  cells.push_back(continuum.close_with_ladder());
   return cells;
 }
 
@@ -75,13 +74,25 @@ std::vector<StabilityCell> close_level(const Task& task,
 std::vector<StabilityCell> study_stability(const StabilityStudyOptions& options,
                                            const std::vector<StabilityMethod>& comparators,
                                            const std::function<void(int, int)>& progress) {
-  std::vector<StabilityMethod> methods = {{"thesis", close_by_thesis, kThesisTriangles}};
-  for (const bool guards : {false, true})
-    methods.push_back({guards ? "fast" : "unguarded",
-                       [guards](const ClosureModel& model, const AttemptSettings& attempt) {
-                         return close_by_relaxation(model, attempt, guards);
-                       }});
+  std::vector<StabilityMethod> methods = {
+      {"thesis", close_by_thesis, kThesisTriangles, Membrane::Springs}};
   methods.insert(methods.end(), comparators.begin(), comparators.end());
+  const auto add = [&methods](const char* name, Membrane membrane,
+                              const RelaxationSettings& settings) {
+    methods.push_back({name,
+                       [settings](const ClosureModel& model, const AttemptSettings& attempt) {
+                         return close_by_relaxation(model, attempt, settings);
+                       },
+                       0, membrane});
+  };
+  RelaxationSettings unguarded, preconditioned;
+  unguarded.guards = false;
+  preconditioned.preconditioned = true;
+  preconditioned.damping = kPreconditionedDamping;
+  add("fast (springs)", Membrane::Springs, {});
+  add("unguarded", Membrane::Continuum, unguarded);
+  add("fast", Membrane::Continuum, {});
+  add("preconditioned", Membrane::Continuum, preconditioned);
   const std::vector<Task> tasks = tasks_of(options);
   std::vector<std::vector<StabilityCell>> levels(tasks.size());
   std::mutex mutex;

@@ -26,6 +26,7 @@ struct StabilityMethod {
   std::string name;
   std::function<ClosureRun(const ClosureModel&, const AttemptSettings&)> close;
   int most_triangles = 0;  ///< finer levels are left out; 0: none
+  Membrane membrane = Membrane::Continuum;
 };
 
 /// From best to worst.
@@ -59,9 +60,9 @@ struct StabilityStudyOptions {
   int threads = 0;  ///< 0: all cores; does not change the map, but its times
 };
 
-/// Methods `thesis`, `unguarded` and `fast` (the relaxation without and with its guards, in single
-/// precision), then `comparators`, then `coapt`: close_valve() with its defaults, which has no step to vary. In order of
-/// scene, axis, method, level. The reference of a scene is `fast` carried to residual 1e-6 in double.
+/// Methods `thesis`, then `comparators`, then the relaxation in single precision: `fast (springs)`, `unguarded`, `fast` and `preconditioned`
+/// (by the stiffness of the leaflets as a whole), then `coapt`: close_valve() with its defaults, which has no step to vary. In order of
+/// scene, axis, method, level. The reference of a scene is `fast` on the method's membrane, carried to residual 1e-6 in double.
 /// `progress`: levels done and planned; from several threads, one at a time.
 std::vector<StabilityCell> study_stability(const StabilityStudyOptions& options,
                                            const std::vector<StabilityMethod>& comparators,

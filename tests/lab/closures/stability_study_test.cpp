@@ -45,7 +45,7 @@ TEST(StabilityStudy, JudgesEachMethodItselfAndBelievesNone) {
                         EXPECT_EQ(done, ++calls);
                         EXPECT_EQ(planned, 2);
                       });
-  ASSERT_EQ(cells.size(), 12u);
+  ASSERT_EQ(cells.size(), 16u);
   EXPECT_EQ(calls, 2);
   EXPECT_EQ(find(cells, "liar", 1.0).outcome, StabilityOutcome::Stalls);
   EXPECT_GT(find(cells, "liar", 1.0).residual, 0.5);

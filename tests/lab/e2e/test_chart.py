@@ -37,7 +37,7 @@ class Stability(ProgramTest):
         self.assertEqual((result.returncode, result.stdout), (OK, ""), result.stderr)
         with open(self.folder / "new" / "stability.csv", newline="") as file:
             cells = list(csv.DictReader(file))
-        methods = ["thesis", "unguarded", "fast", "newton", "xpbd", "coapt"]
+        methods = ["thesis", "newton", "xpbd", "fast (springs)", "unguarded", "fast", "preconditioned", "coapt"]
         self.assertEqual([cell["method"] for cell in cells], [m for m in methods for _ in range(6)])
         self.assertEqual({cell["axis"] for cell in cells}, {"pressure"})
         self.assertEqual([cell["level"] for cell in cells if cell["nominal"] == "true"], ["16"] * 6)
