@@ -110,8 +110,8 @@ void add_stability(Command chart, int& status) {
   add_threads_option(command, options->threads, "map");
   command.footer(
       "Each method makes one attempt, but for coapt: the closure of coapt itself, with default\n"
-      "options, which tries again where an attempt fails. Methods thesis, newton and xpbd close\n"
-      "membrane springs, the others membrane continuum.\n"
+      "options, which tries again where an attempt fails. Methods thesis, newton, xpbd and\n"
+      "fast (springs) close membrane springs, the others membrane continuum.\n"
       "Scene commissures is human-normal with its annulus 30 % narrower. Takes several minutes on\n"
       "one core.\n\n"
       "Examples:\n"
