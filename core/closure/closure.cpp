@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -106,20 +105,11 @@ int fast_steps(const ClosureModel& model) {
   return static_cast<int>(kFastSteps * std::sqrt(std::max(1.0, faces / kFastStepsFaces)));
 }
 
-// Where steps by the leaflets' stiffness as a whole pay: on coarser meshes a factorisation costs what it saves. Of dampings of
-// 0.04, 0.05, 0.06, 0.08 and 0.12 this one takes the fewest steps at 2,600 and 10,400 triangles.
+// Where steps by the leaflets' stiffness as a whole pay: on coarser meshes a factorisation costs what it saves.
 constexpr Index kPreconditionedFaces = 1300;
-constexpr double kPreconditionedDamping = 0.06;
 
 bool preconditions(const ClosureModel& model) {
   return model.faces.rows() > kPreconditionedFaces && !model.sheets.empty();
-}
-
-RelaxationSettings preconditioned(RelaxationSettings settings) {
-  settings.preconditioned = true;
-  settings.damping = kPreconditionedDamping;
-  settings.least_damping = std::numeric_limits<double>::infinity();
-  return settings;
 }
 
 /// Of a first attempt that is not from the open state; none without a run.

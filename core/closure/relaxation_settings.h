@@ -35,4 +35,15 @@ struct RelaxationSettings {
   const RelaxationLayout<float>* layout = nullptr;
 };
 
+/// Of dampings of 0.04, 0.05, 0.06, 0.08 and 0.12 this one takes the fewest steps at 2,600 and 10,400 triangles.
+inline constexpr double kPreconditionedDamping = 0.06;
+
+/// The same, preconditioned.
+inline RelaxationSettings preconditioned(RelaxationSettings settings) {
+  settings.preconditioned = true;
+  settings.damping = kPreconditionedDamping;
+  settings.least_damping = std::numeric_limits<double>::infinity();
+  return settings;
+}
+
 }  // namespace coapt

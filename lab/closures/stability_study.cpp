@@ -12,9 +12,8 @@ namespace {
 
 // Ten times what the thesis's method and five times what `fast` need for the nominal scenes.
 constexpr int kThesisSteps = 10000, kFastSteps = 3000;
-constexpr int kThesisTriangles = 2600;           // 5,200 take a minute
-constexpr double kFastWay_mm = 0.04;             // as the defaults: 0.02 mm at 0.005
-constexpr double kPreconditionedDamping = 0.06;  // as close_valve()'s
+constexpr int kThesisTriangles = 2600;  // 5,200 take a minute
+constexpr double kFastWay_mm = 0.04;    // as the defaults: 0.02 mm at 0.005
 
 ClosureRun close_by_thesis(const ClosureModel& model, const AttemptSettings& attempt) {
   ThesisSettings settings;
@@ -85,14 +84,12 @@ std::vector<StabilityCell> study_stability(const StabilityStudyOptions& options,
                        },
                        0, membrane});
   };
-  RelaxationSettings unguarded, preconditioned;
+  RelaxationSettings unguarded;
   unguarded.guards = false;
-  preconditioned.preconditioned = true;
-  preconditioned.damping = kPreconditionedDamping;
   add("fast (springs)", Membrane::Springs, {});
   add("unguarded", Membrane::Continuum, unguarded);
   add("fast", Membrane::Continuum, {});
-  add("preconditioned", Membrane::Continuum, preconditioned);
+  add("preconditioned", Membrane::Continuum, preconditioned({}));
   const std::vector<Task> tasks = tasks_of(options);
   std::vector<std::vector<StabilityCell>> levels(tasks.size());
   std::mutex mutex;
