@@ -272,6 +272,25 @@ TEST(PlanEvaluations, CountsFailuresAndWhatPracticeRejects) {
   EXPECT_EQ(scene.evaluations.rejections(), (std::map<std::string, int>{{"undersizing", 2}}));
 }
 
+TEST(PlanEvaluations, UndersizedRingsAreWarnedOfOnceItIsSureThatNoLeafletIsTethered) {
+  const auto warnings = [](const std::optional<Diagnosis>& diagnosis) {
+    EvaluationScene scene(needs_suture);
+    if (diagnosis) scene.evaluations.tell(*diagnosis);
+    return scene.evaluations.record(own_ring(4)).avoidable_warnings;
+  };
+  Diagnosis diagnosis;
+  EXPECT_EQ(warnings(std::nullopt), 0);
+  for (const CarpentierType type : {CarpentierType::I, CarpentierType::II}) {
+    diagnosis.types = {type};
+    EXPECT_EQ(warnings(diagnosis), 1);
+  }
+  diagnosis.types = {CarpentierType::II, CarpentierType::IIIb};
+  EXPECT_EQ(warnings(diagnosis), 0);
+  diagnosis.types = {CarpentierType::I};
+  diagnosis.type_sure = false;
+  EXPECT_EQ(warnings(diagnosis), 0);
+}
+
 TEST(PlanEvaluations, PlansAtNearbyPlacesAreNearAndOtherKindsFar) {
   EvaluationScene scene(needs_suture);
   const auto apart = [&scene](const RepairPlan& a, const RepairPlan& b) {
