@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ_LIMIT := -runs=100000
 # Of a reader, with what the sanitizers add.
 FUZZ_MEMORY := -rss_limit_mb=512
-FUZZERS := valve plan mesh image import forms endpoints
+FUZZERS := valve plan mesh image import forms answers endpoints
 SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp examples/gallery/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python clients/slicer cmake docs examples lab tests -name "*.py")
@@ -192,9 +192,9 @@ attacks: programs  ## the service under attack, its long form: 20,000 hostile re
 	tests/service/kill_nine.py
 	tests/service/damaged_databases.py
 
-farm-chaos: programs  ## a farm whose workers are killed every 5 s through a million closures (2.5 hours of two cores)
+farm-chaos: programs  ## a farm whose workers are killed every 5 s through a million closures
 	@cmake/install_packages.sh farm
-	lab/farm/chaos.py $(BIN) --anatomies 480
+	lab/farm/chaos.py $(BIN) --valves 480
 
 instructions: lab  ## machine instructions of a closure by function, where clocks are noisy
 	@cmake/install_packages.sh profile
@@ -344,7 +344,7 @@ asan-build:
 asan-test:
 	ctest --preset $(ASAN) $(CTEST) --label-regex "$(subst $(empty) |,|,$(UNIT_LABELS))" --label-exclude "^(long|lab|live)$$"
 
-fuzz:  ## 100,000 damaged valves, plans, meshes, images and requests each through readers and endpoints, under the sanitizers
+fuzz:  ## 100,000 damaged valves, plans, meshes, images, answers and requests each through readers and endpoints, under the sanitizers
 	@cmake/install_packages.sh build clang sanitizers
 	cmake --preset fuzz
 	cmake --build --preset fuzz

@@ -167,19 +167,25 @@ int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_error
                   const std::atomic<bool>& interrupted) {
   if (asked.check == nullptr) return exit_code::kOk;
   Drawing drawing(asked.sampled);
+  std::vector<AnsweredTask> doubtful;
   std::optional<Wrong> wrong;
   int status = for_each_answer(
       database, asked, true, json_errors, interrupted, [&](const AnsweredTask& task) {
         const std::string objection =
             asked.check->objection ? asked.check->objection(task.first, task.count, task.bytes)
                                    : "";
-        if (!objection.empty()) wrong = {task.first, objection};
-        drawing.offer(task);
+        if (!objection.empty())
+          wrong = {task.first, objection};
+        else if (asked.check->doubt && asked.check->doubt(task.first, task.count, task.bytes))
+          doubtful.push_back(task);
+        else
+          drawing.offer(task);
         return !wrong;
       });
   if (status != exit_code::kOk && !wrong) return status;
-  for (std::size_t i = 0; !wrong && !interrupted && i < drawing.drawn().size(); ++i) {
-    const AnsweredTask& task = drawing.drawn()[i];
+  doubtful.insert(doubtful.end(), drawing.drawn().begin(), drawing.drawn().end());
+  for (std::size_t i = 0; !wrong && !interrupted && i < doubtful.size(); ++i) {
+    const AnsweredTask& task = doubtful[i];
     try {
       if (asked.check->compute(task.first, task.count, usable_threads()) != task.bytes)
         wrong = {task.first, "recomputed here, they differ"};

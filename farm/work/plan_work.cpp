@@ -20,6 +20,9 @@ namespace coapt {
 namespace {
 
 constexpr std::int64_t kSampledFrom = 5;  // valves
+// How far honest shapes, which may come from a predicted start, are from where a closure takes them further; to compute a search again
+// because of a shape that is right costs no more than its time.
+constexpr double kStaysWithin_mm = 1.0, kLeakWithin_mm2 = 0.5, kLeakWithin = 0.02;
 
 struct PlanWork {
   std::vector<Valve> valves;
@@ -57,25 +60,63 @@ const Json& example_of_plans() {
   return example;
 }
 
-/// Whether it is the search that was asked for, on this valve, and whole: what a program does with plans, it can do with these.
-std::string objection_to(const PlanWork& work, std::size_t index, const PlanAnswer& answer) {
-  const Expected<Json> plans = parse_json(answer.plans);
+/// An answer of unknown origin, as far as its form and names are right.
+struct PlansRead {
+  Json plans;  ///< coapt.plans/2
+  PlanPictures shapes;
+};
+
+/// The search that was asked for, on this valve, and whole: what a program does with plans, it can do with these. Errors: one, of which
+/// the message counts.
+Expected<PlansRead> read_plan_answer(const PlanWork& work, std::size_t index,
+                                     const PlanAnswer& answer) {
+  const auto objection = [](const std::string& what) {
+    return Error{ErrorCode::Unsupported, "", what};
+  };
+  const Valve& valve = work.valves.at(index);
+  Expected<Json> plans = parse_json(answer.plans);
   const Json reproduce = plans && plans->is_object() ? plans->value("reproduce", Json()) : Json();
-  if (!reproduce.is_object()) return "the answer is no plans";
-  if (reproduce.value("valve_hash", Json()) !=
-      subject_of(work.valves.at(index), work.options.closure))
-    return "the plans are of another valve";
+  if (!reproduce.is_object()) return objection("the answer is no plans");
+  if (reproduce.value("valve_hash", Json()) != subject_of(valve, work.options.closure))
+    return objection("the plans are of another valve");
   const Expected<Json> search = parse_json(to_json(work.options).dump());  // in the reader's order
-  if (reproduce.value("search", Json()) != *search) return "the plans are of another search";
+  if (reproduce.value("search", Json()) != *search)
+    return objection("the plans are of another search");
   if (const std::string where = differs_in_form(example_of_plans(), *plans); !where.empty())
-    return "the plans have another form at " + where;
+    return objection("the plans have another form at " + where);
   std::vector<RepairPlan> repairs;
   if (!(*plans)["plans"].empty()) {
     const Expected<std::vector<NamedPlan>> named = read_plans(answer.plans);
-    if (!named) return "the plans cannot be read: " + named.errors().front().message;
+    if (!named) return objection("the plans cannot be read: " + named.errors().front().message);
     for (const NamedPlan& plan : *named) repairs.push_back(plan.plan);
   }
-  return objection_to_material(answer.material, work.valves.at(index), repairs);
+  Expected<PlanPictures> shapes = closed_shapes(answer.material, valve, repairs);
+  if (!shapes) return shapes.errors();
+  return PlansRead{*std::move(plans), *std::move(shapes)};
+}
+
+/// Whether a closure that starts from the shape stays there, and the document states the leak that it has.
+bool is_at_rest(const ClosedValve& shape, const ClosureOptions& options, const Json& stated) {
+  const double leak_mm2 = shape.measure.leak.area_mm2;
+  const bool is_trusted = trusted(shape.closure);
+  if (is_trusted != (stated.at("status") == to_string(ClosureStatus::Converged) &&
+                     stated.at("crossing") == false))
+    return false;
+  if (!is_trusted) return true;  // nothing is claimed
+  if (stated.at("leak").at("area_mm2") != Json(leak_mm2)) return false;
+  const ClosureResult again = close_valve(shape.valve, options, &shape.closure);
+  const double again_mm2 = measure(shape.valve, again).leak.area_mm2;
+  const double moved_mm = (again.closed_mm - shape.closure.closed_mm).rowwise().norm().maxCoeff();
+  return trusted(again) && moved_mm <= kStaysWithin_mm &&
+         std::abs(again_mm2 - leak_mm2) <= kLeakWithin_mm2 + kLeakWithin * leak_mm2;
+}
+
+bool are_at_rest(const PlanWork& work, const PlansRead& read) {
+  const ClosureOptions& options = work.options.closure;
+  if (!is_at_rest(read.shapes.before, options, read.plans.at("before"))) return false;
+  for (std::size_t i = 0; i < read.shapes.after.size(); ++i)
+    if (!is_at_rest(read.shapes.after[i], options, read.plans.at("plans").at(i))) return false;
+  return true;
 }
 
 Errors check_valves(const PlanWork& work) {
@@ -140,9 +181,20 @@ Expected<Work> open_plan_work(const WorkRequest& request) {
     const Expected<std::vector<PlanAnswer>> answers = plan_answers(bytes);
     std::string objection = objection_of(answers, count);
     for (int i = 0; objection.empty() && i < count; ++i)
-      objection = objection_to(*plans, static_cast<std::size_t>(first + i),
-                               (*answers)[static_cast<std::size_t>(i)]);
+      if (const auto read = read_plan_answer(*plans, static_cast<std::size_t>(first + i),
+                                             (*answers)[static_cast<std::size_t>(i)]);
+          !read)
+        objection = read.errors().front().message;
     return objection;
+  };
+  work.doubt = [plans](std::int64_t first, int count, std::string_view bytes) {
+    const Expected<std::vector<PlanAnswer>> answers = plan_answers(bytes);
+    for (int i = 0; i < count; ++i) {
+      const auto read = read_plan_answer(*plans, static_cast<std::size_t>(first + i),
+                                         answers->at(static_cast<std::size_t>(i)));
+      if (!read || !are_at_rest(*plans, *read)) return true;
+    }
+    return false;
   };
   // One alone would take as long as the search that was asked for.
   work.sampled_tasks = work.items >= kSampledFrom ? 1 : 0;

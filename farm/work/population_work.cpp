@@ -1,5 +1,8 @@
 #include "farm/work/population_work.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -19,6 +22,25 @@ constexpr int kMembersAtOnce = 16, kRecordsAtOnce = 2;
 constexpr int kMostItems = 100'000;
 
 int read_count(const JsonPlace& place) { return read_integer_in(place, 1, kMostItems); }
+
+bool is_of(const CandidateRecord& candidate, int nodes) {
+  const bool known = candidate.state >= static_cast<int>(CandidateState::NotOffered) &&
+                     candidate.state <= static_cast<int>(CandidateState::Closed);
+  const std::array figures = {candidate.cost, candidate.planned_mm2, candidate.mean_mm2,
+                              candidate.sd_mm2};
+  return known && candidate.failures >= 0 && candidate.failures <= nodes &&
+         std::none_of(figures.begin(), figures.end(), [](float x) { return std::isinf(x); });
+}
+
+/// Whether studies can count with it: they index by its numbers and sort by its features.
+bool is_of(const PopulationRecord& record, const PopulationMember& member, int nodes) {
+  return record.index == member.index && record.aetiology == static_cast<int>(member.aetiology) &&
+         (record.made == 0 || record.made == 1) && std::isfinite(record.leak_mm2) &&
+         std::all_of(record.features.begin(), record.features.end(),
+                     [](float x) { return std::isfinite(x); }) &&
+         std::all_of(record.candidates.begin(), record.candidates.end(),
+                     [nodes](const CandidateRecord& one) { return is_of(one, nodes); });
+}
 
 }  // namespace
 
@@ -57,8 +79,13 @@ Expected<Work> open_members_work(const WorkRequest& request) {
     for (const std::string& text : made) pack_text(bytes, text);
     return bytes;
   };
-  work.objection = [](std::int64_t /*first*/, int count, std::string_view bytes) {
-    return objection_of(member_answers(bytes), count);
+  work.objection = [](std::int64_t first, int count, std::string_view bytes) {
+    const auto answers = member_answers(bytes);
+    std::string objection = objection_of(answers, count);
+    for (int i = 0; objection.empty() && i < count; ++i)
+      if ((*answers)[static_cast<std::size_t>(i)].index != first + i)
+        objection = "a member has another number";
+    return objection;
   };
   return work;
 }
@@ -116,8 +143,15 @@ Expected<Work> open_records_work(const WorkRequest& request) {
     if (*stop) throw WorkStopped();
     return bytes;
   };
-  work.objection = [](std::int64_t /*first*/, int count, std::string_view bytes) {
-    return objection_of(unpack_records(bytes), count);
+  work.objection = [population, nodes = options.nodes](std::int64_t first, int count,
+                                                       std::string_view bytes) {
+    const auto answers = unpack_records(bytes);
+    std::string objection = objection_of(answers, count);
+    for (int i = 0; objection.empty() && i < count; ++i)
+      if (!is_of((*answers)[static_cast<std::size_t>(i)],
+                 population->members[static_cast<std::size_t>(first + i)], nodes))
+        objection = "a record is of another member, or holds what no record can";
+    return objection;
   };
   return work;
 }

@@ -40,6 +40,9 @@ struct Work {
   /// What speaks against bytes as the answers of these items; empty: nothing. It looks at their form and the names in them, in
   /// milliseconds: whether they are right, only computing tells.
   std::function<std::string(std::int64_t first, int count, std::string_view bytes)> objection;
+  /// Whether answers without objection look wrong by what can be computed again quickly; whoever asked then computes the whole task.
+  /// Empty where nothing is quick. @pre objection() is empty
+  std::function<bool(std::int64_t first, int count, std::string_view bytes)> doubt;
   /// Tasks that whoever asked computes again, drawn at random, before it believes the answers; 0 where one takes as long as what
   /// was asked for.
   int sampled_tasks = 2;

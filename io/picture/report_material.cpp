@@ -222,23 +222,28 @@ Expected<std::string> report_page(std::string_view material, std::size_t page, c
   return html;
 }
 
-std::string objection_to_material(std::string_view material, const Valve& valve,
-                                  const std::vector<RepairPlan>& plans) {
+Expected<PlanPictures> closed_shapes(std::string_view material, const Valve& valve,
+                                     const std::vector<RepairPlan>& plans) {
+  const auto objection = [](const std::string& what) {
+    return Error{ErrorCode::Unsupported, "", what};
+  };
   const Expected<MaterialParts> parts = parts_of(material);
-  if (!parts) return "the material of the reports cannot be read";
+  if (!parts) return objection("the material of the reports cannot be read");
   if (parts->after.size() != plans.size() || parts->pages.size() != plans.size() + 1)
-    return "the reports are of another number of plans";
+    return objection("the reports are of another number of plans");
   for (const std::string_view page : parts->pages)
-    if (!page.starts_with(kPageOpening)) return "a report is no page of coapt";
-  const Expected<ClosedValve> before = closed_of(parts->before, valve);
+    if (!page.starts_with(kPageOpening)) return objection("a report is no page of coapt");
+  Expected<ClosedValve> before = closed_of(parts->before, valve);
   if (!before || !before->plan.steps.empty())
-    return "the closed shape before the repair does not fit the valve";
+    return objection("the closed shape before the repair does not fit the valve");
+  PlanPictures shapes{*std::move(before), {}};
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    const Expected<ClosedValve> closed = closed_of(parts->after[i], valve);
+    Expected<ClosedValve> closed = closed_of(parts->after[i], valve);
     if (!closed || to_json(closed->plan) != to_json(plans[i]))
-      return "the closed shape of plan " + std::to_string(i + 1) + " is of another plan";
+      return objection("the closed shape of plan " + std::to_string(i + 1) + " is of another plan");
+    shapes.after.push_back(*std::move(closed));
   }
-  return "";
+  return shapes;
 }
 
 std::string with_pictures(const std::string& page,

@@ -32,10 +32,10 @@ std::string write_report_material(const ReportMaterial& material);
 Expected<std::size_t> report_pages(std::string_view material);
 Expected<std::string> report_page(std::string_view material, std::size_t page, const Valve& valve);
 
-/// What speaks against material of unknown origin: a number of plans or a plan that is another, closed shapes that do not fit the
-/// valve, a page that may run scripts. Empty if nothing does.
-std::string objection_to_material(std::string_view material, const Valve& valve,
-                                  const std::vector<RepairPlan>& plans);
+/// The closed shapes in material of unknown origin. Errors (one, a sentence without its full stop): a number of plans or a plan that is
+/// another, closed shapes that do not fit the valve, a page that may run scripts.
+Expected<PlanPictures> closed_shapes(std::string_view material, const Valve& valve,
+                                     const std::vector<RepairPlan>& plans);
 
 /// The page with what `picture` gives in its places.
 std::string with_pictures(const std::string& page,

@@ -162,6 +162,22 @@ class Attacks(FarmTest):
         self.assertIn("login mallory", self.collect(coordinator, request))
         self.assertEqual(self.farm("fetch", 1, url=self.boss).stdout, request.answers())
 
+    def test_what_looks_wrong_is_computed_again_be_it_drawn_or_not(self):
+        request = Request(30)
+        self.farm("add", "-", "--check-share", "0", stdin=request.bytes(), url=self.boss)
+        worker = self.join("liar")
+        for first in self.claim(worker, 3):
+            self.assertEqual(self.lie(worker, request, first), "kept")
+        self.claim(worker)
+        fetched = self.farm("fetch", 1, "--recompute", "0", url=self.boss, code=FAILURE)
+        self.assertEqual(fetched.stdout, b"")
+        self.assertIn("recomputed here, they differ", fetched.stderr)
+
+    def test_what_looks_wrong_and_is_right_is_believed(self):
+        request = Request(30, doubted=True)
+        self.worker(url=self.honest)
+        self.collect(self.coordinator(request, "--check-share", "0", "--recompute", "0", url=self.boss), request)
+
     def test_a_run_that_stays_wrong_is_told_and_not_printed(self):
         request = Request(10)
         for i in range(4):

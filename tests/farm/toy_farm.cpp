@@ -69,6 +69,9 @@ Expected<Work> open_toy(const WorkRequest& request) {
     const std::size_t expected = static_cast<std::size_t>(count) * (8 + more.size());
     return bytes.size() == expected ? "" : std::to_string(bytes.size()) + " bytes";
   };
+  work.doubt = [told](std::int64_t, int, std::string_view bytes) {
+    return told.value("doubted", false) || bytes.starts_with(std::string_view("\0\0", 2));
+  };
   return work;
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/json/plan_json.h"
 #include "io/json/valve_json.h"
+#include "tests/fuzz/asked_work.h"
 #include "tests/fuzz/endpoint_choice.h"
 #include "tests/scenes/small_valve.h"
 
@@ -162,6 +163,12 @@ void write_requests(const std::filesystem::path& folder) {
           static_cast<char>(choice + 1) + std::string(path));
 }
 
+void write_answers(const std::filesystem::path& folder) {
+  const std::array<Work, kAskedKinds> works = asked_works();
+  for (std::size_t kind = 0; kind < works.size(); ++kind)
+    write(folder / std::to_string(kind), static_cast<char>(kind) + works[kind].compute(0, 1, 1));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -174,4 +181,5 @@ int main(int count, char** arguments) {
           to_json(RepairPlan{{step}}).dump());
   }
   write_requests(folder / "endpoints");
+  write_answers(folder / "answers");
 }

@@ -116,6 +116,36 @@ TEST(PlanWork, DisputesAnAnswerThatProgramsCouldNotReadOrShow) {
   EXPECT_NE(material(other.material), "") << "of another valve";
 }
 
+TEST(PlanWork, DoubtsShapesThatAreNotAtRestAndLeaksThatAreNotTheirs) {
+  const Valve& valve = small_preset("human-functional-mr");
+  SearchOptions options = quick_search();
+  options.threads = 0;
+  const Expected<Work> work = open_work(*plan_request({valve}, options));
+  ASSERT_TRUE(work);
+  SearchContext context;
+  const auto result = search_plans(valve, options, context);
+  ASSERT_TRUE(result);
+  const SearchRequest request{options, subject_of(valve, {}), ""};
+  const auto doubt = [&](const auto& change) {
+    ReportMaterial material = report_material(*result, request);
+    Json plans = to_json(*result, request);
+    plans["seconds"] = nullptr;
+    change(material, plans);
+    const std::string bytes = packed({plans.dump(), write_report_material(material), ""});
+    EXPECT_EQ(work->objection(0, 1, bytes), "");
+    return work->doubt(0, 1, bytes);
+  };
+  EXPECT_FALSE(doubt([](ReportMaterial&, Json&) {}));
+  const auto away = [](ClosedValve& shape) { shape.closure.closed_mm.col(2).array() += 1.0; };
+  EXPECT_TRUE(doubt([&](ReportMaterial& material, Json&) { away(material.before); }));
+  EXPECT_TRUE(doubt([&](ReportMaterial& material, Json&) { away(material.after.front()); }));
+  EXPECT_TRUE(doubt([](ReportMaterial&, Json& plans) {
+    Json& area = plans["plans"][0]["leak"]["area_mm2"];
+    area = area.get<double>() + 1.0;
+  }));
+  EXPECT_TRUE(doubt([](ReportMaterial&, Json& plans) { plans["before"]["status"] = "diverged"; }));
+}
+
 TEST(PlanWork, AStoppedSearchHasNoAnswer) {
   const auto request = plan_request({small_preset("human-functional-mr")}, quick_search());
   const Expected<Work> work = open_work(*request);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "io/json/population_json.h"
 #include "io/json/population_prior_json.h"
 
@@ -30,6 +32,9 @@ TEST(PopulationWork, MembersAreThoseThatAreDrawnHereToTheBit) {
       member_answers(work->compute(0, 1, 1) + work->compute(1, 1, 2));
   ASSERT_TRUE(answers);
   ASSERT_EQ(answers->size(), population.members.size());
+  const std::string first = work->compute(0, 1, 1);
+  EXPECT_EQ(work->objection(0, 1, first), "");
+  EXPECT_NE(work->objection(1, 1, first), "") << "another member";
   for (std::size_t i = 0; i < answers->size(); ++i)
     EXPECT_EQ(to_json((*answers)[i]), to_json(population.members[i]));
 }
@@ -42,8 +47,20 @@ TEST(PopulationWork, RecordsAreThoseThatAreWorkedOutHereToTheBit) {
   ASSERT_TRUE(request);
   const Expected<Work> work = open_work(*request);
   ASSERT_TRUE(work);
-  EXPECT_EQ(work->compute(0, 1, 2) + work->compute(1, 1, 1),
-            population_records(population, options, 0, kMembers));
+  const std::string bytes = population_records(population, options, 0, kMembers);
+  EXPECT_EQ(work->compute(0, 1, 2) + work->compute(1, 1, 1), bytes);
+  EXPECT_EQ(work->objection(0, kMembers, bytes), "");
+  EXPECT_NE(work->objection(1, 1, bytes.substr(0, bytes.size() / 2)), "") << "of another member";
+  const auto objection = [&](auto change) {
+    PopulationRecord record = unpack_records(bytes)->front();
+    change(record);
+    return work->objection(0, 1, {reinterpret_cast<const char*>(&record), sizeof record});
+  };
+  EXPECT_EQ(objection([](PopulationRecord&) {}), "");
+  EXPECT_NE(objection([](PopulationRecord& record) { record.aetiology = 99; }), "");
+  EXPECT_NE(objection([](PopulationRecord& record) { record.features[3] = NAN; }), "");
+  EXPECT_NE(objection([](PopulationRecord& record) { record.candidates[0].state = -1; }), "");
+  EXPECT_NE(objection([](PopulationRecord& record) { record.candidates[0].failures = 2; }), "");
 }
 
 TEST(PopulationWork, NamesWhatIsWrongWithARequest) {
