@@ -57,11 +57,14 @@ std::string attached(std::string_view header, std::string_view data) {
   const NamingLine line = *naming_line(header);
   std::string file(header.substr(0, line.begin));
   if (header.starts_with("NRRD000")) {
-    // The empty line that ends the header must stand right before the voxels.
-    constexpr std::string_view kSpace = " \t\r\n";
-    const std::size_t begin = std::min(header.find_first_not_of(kSpace, line.end), header.size());
-    const std::size_t end = header.find_last_not_of(kSpace) + 1;
-    if (begin < end) file.append(header.substr(begin, end - begin)) += '\n';
+    // The empty line that ends the header must stand right before the voxels; what a header has behind it is none of it.
+    for (std::size_t begin = line.end + 1; begin < header.size();) {
+      const std::size_t end = std::min(header.find('\n', begin), header.size());
+      const std::string_view more = header.substr(begin, end - begin);
+      if (trimmed(more).empty()) break;
+      file.append(more) += '\n';
+      begin = end + 1;
+    }
     file += '\n';
   } else {
     file += "ElementDataFile = LOCAL\n";

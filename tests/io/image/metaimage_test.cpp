@@ -86,7 +86,7 @@ TEST(Detached, VoxelsAreJoinedToEitherHeader) {
   const std::string nhdr =
       "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 1\nspacings: 1 1 1\n"
       "data file: voxels.raw\nencoding: raw\n";
-  for (const std::string end : {"", "\n", "\n\n"}) {
+  for (const std::string end : {"", "\n", "\n\n", "\nbehind the header\ndata file: other.raw\n"}) {
     EXPECT_EQ(*data_file_of(nhdr + end), std::optional<std::string>("voxels.raw"));
     const Expected<LabelMap> map = read_nrrd(attached(nhdr + end, kFourVoxels));
     ASSERT_TRUE(map) << map.errors()[0].message;
