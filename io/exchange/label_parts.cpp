@@ -301,6 +301,8 @@ LabelMap merged(const LabelMap& map, const std::vector<const LabelCandidate*>& l
 
 // Of a leaflet's voxels, in the outermost layer of the map: 0.4 % of one that is cropped tight, 5 % of one that is cut off.
 constexpr double kCutShare = 0.02;
+// The same of a layer inside the map that ends like a cut (docs/experiments.md).
+constexpr double kFlatShare = 0.0175;
 
 std::string frame_words(const LabelMap& map) {
   const Vec3 edges = map.to_lps_mm.topLeftCorner<3, 3>().colwise().norm();
@@ -358,13 +360,21 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
       line ? void(parts.annulus_mm = *std::move(line)) : take(line.errors());
     } else {
       const LabelVoxels voxels(whole, labels[0]->label);
-      if (const Index cut = voxels.at_border();
-          static_cast<double>(cut) > kCutShare * static_cast<double>(voxels.box().count))
+      const LabelBox box = voxels.box();
+      const auto is_more = [&box](Index count, double share) {
+        return static_cast<double>(count) > share * static_cast<double>(box.count);
+      };
+      if (const Index cut = voxels.at_border(); is_more(cut, kCutShare))
         parts.decisions.push_back({"labels",
                                    "the " + std::string(words_of(part)) +
                                        " reaches the border of the label map, with " +
                                        counted(cut, "voxel"),
                                    "what lies beyond the border is missing", true, 0.5});
+      else if (const Index flat = voxels.flat_end(box); is_more(flat, kFlatShare))
+        parts.decisions.push_back({"labels",
+                                   "the " + std::string(words_of(part)) + " ends flat, with " +
+                                       counted(flat, "voxel") + " in one plane of voxels",
+                                   "it may have been cut off there", true, 0.5});
       Expected<TriangleMesh> surface = label_surface(whole, labels[0]->label);
       surface ? void(parts.leaflets.push_back(*std::move(surface))) : take(surface.errors());
     }

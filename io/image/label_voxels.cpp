@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace coapt {
+namespace {
+
+// Of flat_end(): chosen on 36 sound leaflets and their cuts, judged on others (docs/experiments.md).
+constexpr Index kLayersBehind = 3;
+constexpr double kAsLarge = 0.9, kHalfAsLarge = 0.5, kBacked = 0.95;
+
+}  // namespace
 
 LabelVoxels::LabelVoxels(const LabelMap& map, const LabelAt& label)
     : size_(map.size),
@@ -18,6 +25,37 @@ Index LabelVoxels::at_border() const {
       for (Index i = 0; i < size_[0]; i += step) count += (*this)(i, j, k) ? 1 : 0;
     }
   return count;
+}
+
+Index LabelVoxels::in_layer(const LabelBox& box, std::size_t axis, Index at, Index shift) const {
+  const std::size_t across = (axis + 1) % 3, along = (axis + 2) % 3;
+  Index count = 0;
+  Voxel voxel;
+  voxel[axis] = at;
+  for (voxel[along] = box.min[along]; voxel[along] <= box.max[along]; ++voxel[along])
+    for (voxel[across] = box.min[across]; voxel[across] <= box.max[across]; ++voxel[across]) {
+      Voxel behind = voxel;
+      behind[axis] += shift;
+      count += (*this)(voxel[0], voxel[1], voxel[2]) && (*this)(behind[0], behind[1], behind[2]);
+    }
+  return count;
+}
+
+Index LabelVoxels::flat_end(const LabelBox& box) const {
+  Index most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const Index inwards : {1, -1}) {
+      const Index end = inwards > 0 ? box.min[axis] : box.max[axis];
+      const auto first = static_cast<double>(in_layer(box, axis, end));
+      const auto backed = static_cast<double>(in_layer(box, axis, end, inwards));
+      double behind = 0.0;
+      for (Index layer = 1; layer <= kLayersBehind; ++layer)
+        behind += static_cast<double>(in_layer(box, axis, end + inwards * layer)) /
+                  static_cast<double>(kLayersBehind);
+      if (first > kAsLarge * behind || (first > kHalfAsLarge * behind && backed < kBacked * first))
+        most = std::max(most, static_cast<Index>(first));
+    }
+  return most;
 }
 
 LabelBox LabelVoxels::box() const {

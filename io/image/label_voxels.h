@@ -29,10 +29,17 @@ class LabelVoxels {
   /// Voxels of the label in the outermost layer of the image: what lies beyond was not imaged.
   Index at_border() const;
 
+  /// Voxels in the outermost layer of the label itself, along the axis where most lie, if it ends there as what was cut off does: by a layer
+  /// nearly as large as those behind it, or half as large and displaced against them. 0: nowhere.
+  Index flat_end(const LabelBox& box) const;
+
   /// Pairs of neighbours of which one is of the label: two triangles each of its surface (label_surface.h).
   Index crossings(const LabelBox& box) const;
 
  private:
+  /// Of the label, in the layer `at` of an axis; `shift` other than 0: that have one of the label so many layers further, too.
+  Index in_layer(const LabelBox& box, std::size_t axis, Index at, Index shift = 0) const;
+
   Voxel size_;
   const std::uint16_t* at_;
   int value_;

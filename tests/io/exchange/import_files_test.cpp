@@ -126,7 +126,11 @@ TEST(ImportFiles, LabelsByNameOrAsGiven) {
   EXPECT_EQ(source->annulus_mm.rows(), 72) << "nothing names it, but it is a closed band";
   EXPECT_EQ(source->order.claim, LeafletClaim::Named);
   EXPECT_NE(told(*source).find("label 8 is the anterior leaflet"), std::string::npos);
-  EXPECT_EQ(looks(*source), (std::vector{false, false, false, false}));
+  EXPECT_NE(told(*source).find("the anterior leaflet ends flat, with 60 voxels in one plane"),
+            std::string::npos)
+      << "they are plates";
+  const std::vector kPlates = {false, true, false, true, false, false};
+  EXPECT_EQ(looks(*source), kPlates);
   EXPECT_EQ(told(*source).find("DOE"), std::string::npos);
 
   ImportReading reading;
@@ -136,7 +140,7 @@ TEST(ImportFiles, LabelsByNameOrAsGiven) {
   EXPECT_GT(source->leaflets[0].vertices_mm.col(1).minCoeff(), 16.2);
   EXPECT_EQ(source->order.claim, LeafletClaim::Given);
   EXPECT_EQ(source->order.swap, "say --label anterior=8 --label posterior=7");
-  EXPECT_EQ(looks(*source), (std::vector{false, false, false, false}));
+  EXPECT_EQ(looks(*source), kPlates);
 
   reading.labels = {{}, {8}, {}};  // the other one is the other leaflet, whatever its name says
   files.labels = {"x.nrrd", labels_nrrd("", {8, 7, 3})};
