@@ -296,6 +296,10 @@ bool may_be(const Diagnosis& diagnosis, CarpentierType type) {
          std::find(diagnosis.types.begin(), diagnosis.types.end(), type) != diagnosis.types.end();
 }
 
+bool surely_prolapses(const Diagnosis& diagnosis) {
+  return diagnosis.type_sure && may_be(diagnosis, CarpentierType::II);
+}
+
 bool clefts_explain(const Diagnosis& diagnosis) {
   return leak_through(diagnosis.clefts) >= 0.5 * diagnosis.leak_mm2;
 }

@@ -103,6 +103,8 @@ std::optional<Diagnosis> diagnose(const Valve& valve, const ClosureResult& closu
 
 /// Whether a type is among those of the valve, or not ruled out.
 bool may_be(const Diagnosis& diagnosis, CarpentierType type);
+/// Whether some segment surely prolapses: the types are sure, and II is one of them.
+bool surely_prolapses(const Diagnosis& diagnosis);
 /// Half of it or more passes through clefts. @pre there are clefts
 bool clefts_explain(const Diagnosis& diagnosis);
 /// Segments that prolapse or are flail, sure or not.

@@ -146,7 +146,7 @@ Reason reason_of(const Diagnosis& diagnosis, CarpentierType type) {
   return {};
 }
 
-/// " because the chordae of P2 are ruptured (Carpentier type II)." and what is doubtful.
+/// " because the chordae of P2 are ruptured (Carpentier type II)." and what is doubtful of the types.
 std::string because(const Diagnosis& diagnosis, bool with_figures) {
   std::string text;
   for (std::size_t i = 0; i < diagnosis.types.size(); ++i) {
@@ -160,10 +160,17 @@ std::string because(const Diagnosis& diagnosis, bool with_figures) {
   if (diagnosis.not_ruled_out)
     text += std::string(" Carpentier type ") + to_string(*diagnosis.not_ruled_out) +
             " is not ruled out.";
-  if (!diagnosis.competent_sure)
-    text += " The leak is too close to " + shown(kMildLeak_mm2) +
-            " mm² to tell whether the valve is competent.";
   return text;
+}
+
+/// What is doubtful of competence.
+std::string doubt_of(const Diagnosis& diagnosis, const Estimate& leak) {
+  const std::string limit = shown(kMildLeak_mm2) + " mm²";
+  if (!diagnosis.competent_sure)
+    return " The leak is too close to " + limit + " to tell whether the valve is competent.";
+  if (is_competence_sure(diagnosis, leak)) return "";
+  return std::string(" The ") + to_string(*widest(leak)) + " error includes leaks " +
+         (diagnosis.competent ? "above " : "below ") + limit + ", the limit of competence.";
 }
 
 /// By the widest part of its error.
@@ -179,13 +186,21 @@ std::string leak_of(const Diagnosis& diagnosis, const Estimate& leak) {
 
 }  // namespace
 
+bool is_competence_sure(const Diagnosis& diagnosis, const Estimate& leak) {
+  const std::optional<ErrorCause> cause = widest(leak);
+  if (!diagnosis.competent_sure || !cause) return diagnosis.competent_sure;
+  const Interval known = *part_of(leak, *cause);
+  return diagnosis.competent ? known.high <= kMildLeak_mm2 : known.low > kMildLeak_mm2;
+}
+
 std::string sentence_of(const Diagnosis& diagnosis, const Estimate& leak) {
   return (diagnosis.competent ? "The valve is competent: it leaks " : "The valve leaks ") +
-         leak_of(diagnosis, leak) + because(diagnosis, true);
+         leak_of(diagnosis, leak) + because(diagnosis, true) + doubt_of(diagnosis, leak);
 }
 
 std::string summary_of(const Diagnosis& diagnosis) {
-  return (diagnosis.competent ? "The valve is competent" : "It leaks") + because(diagnosis, false);
+  return (diagnosis.competent ? "The valve is competent" : "It leaks") + because(diagnosis, false) +
+         doubt_of(diagnosis, {});
 }
 
 }  // namespace coapt

@@ -58,7 +58,7 @@ Json to_json(const std::optional<Diagnosis>& diagnosis, const Estimate& leak) {
   for (const Cleft& cleft : of.clefts) clefts.push_back(to_json(cleft));
   return {
       {"competent", of.competent},
-      {"competent_sure", of.competent_sure},
+      {"competent_sure", is_competence_sure(of, leak)},
       {"leak_mm2", of.leak_mm2},
       {"leak_error_mm2", of.leak_error_mm2},
       {"type", types.empty() ? Json() : types.front()},

@@ -146,6 +146,31 @@ TEST(Diagnosis, SaysInASentenceWhy) {
   EXPECT_EQ(sentence_of(doubtful, leak), sentence_of(doubtful));
 }
 
+TEST(Diagnosis, SaysThatOtherTissueMayLeak) {
+  Diagnosis closed;
+  closed.competent = true;
+  Estimate leak{0.0, Interval{0.0, 1.0}, Interval{0.0, 14.0}, {}};
+  EXPECT_EQ(sentence_of(closed, leak),
+            "The valve is competent: it leaks 0 mm² (0 to 14 mm² with tissue error). The tissue "
+            "error includes leaks above 5 mm², the limit of competence.");
+  EXPECT_FALSE(is_competence_sure(closed, leak));
+  leak.tissue->high = 5.0;
+  EXPECT_TRUE(is_competence_sure(closed, leak));
+  EXPECT_TRUE(is_competence_sure(closed, {}));
+  Diagnosis leaks;
+  leaks.leak_mm2 = 20.0;
+  leaks.types = {CarpentierType::I};
+  leak = {20.0, Interval{19.0, 21.0}, Interval{4.0, 40.0}, {}};
+  const std::string sentence = sentence_of(leaks, leak);
+  EXPECT_TRUE(
+      sentence.ends_with("The tissue error includes leaks below 5 mm², the limit of competence."))
+      << sentence;
+  leak.tissue->low = 6.0;
+  EXPECT_TRUE(is_competence_sure(leaks, leak));
+  closed.competent_sure = false;
+  EXPECT_FALSE(is_competence_sure(closed, {}));
+}
+
 TEST(Diagnosis, BothSidesOfACommissureAreOneLesion) {
   Diagnosis lateral;
   lateral.leak_mm2 = 30.0;
