@@ -107,8 +107,13 @@ std::vector<std::string> Offering::offer_rings() {
   }
   for (const RingShape& shape : kRingShapes) {
     const std::string name(shape.name);
-    if (shape.ap_over_transverse < kDegenerativeRing && !is_indicated(CarpentierType::IIIb)) {
+    const bool is_short = shape.ap_over_transverse < kDegenerativeRing;
+    if (is_short && !is_indicated(CarpentierType::IIIb)) {
       offers_.cut.push_back({ring_called(name), kNotTethered});
+      continue;
+    }
+    if (is_short && diagnosis_ && surely_prolapses(*diagnosis_)) {
+      offers_.cut.push_back({ring_called(name), "a segment prolapses besides"});
       continue;
     }
     sizes.clear();

@@ -94,11 +94,11 @@ PlanSpace::PlanSpace(const Valve& valve, const SearchRules& rules,
   cut_ = std::move(offers.cut);
   // Of what is indicated, a surgeon leaves out neither the ring nor what prolapses, if rules let him.
   const bool needs_ring = diagnosis_ && offers.rings.size() > 1;
-  const bool needs_mending =
-      diagnosis_ && diagnosis_->type_sure && may_be(*diagnosis_, CarpentierType::II) &&
-      (offers.neochordae.size() > 1 || offers.leaflet.size() > 1) &&
-      !has_step<Neochorda>(rules_.fixed) && !has_step<LeafletResection>(rules_.fixed) &&
-      !has_step<EdgeToEdge>(rules_.fixed);
+  const bool needs_mending = diagnosis_ && surely_prolapses(*diagnosis_) &&
+                             (offers.neochordae.size() > 1 || offers.leaflet.size() > 1) &&
+                             !has_step<Neochorda>(rules_.fixed) &&
+                             !has_step<LeafletResection>(rules_.fixed) &&
+                             !has_step<EdgeToEdge>(rules_.fixed);
   for (const std::string& ring : offers.rings)
     for (const auto& al : offers.anterolateral)
       for (const auto& pm : offers.posteromedial)

@@ -388,6 +388,13 @@ TEST(Indication, OnlyTetheredLeafletsGetSuturesAndShortRings) {
     EXPECT_FALSE(has_suture(others));
     EXPECT_TRUE(is_cut(others, "suture of the posteromedial muscle", "not tethered"));
   }
+  Diagnosis mixed = diagnosis_of({CarpentierType::II, CarpentierType::IIIb}, {Segment::P2});
+  const PlanSpace both(small_valve(), {}, mixed);
+  EXPECT_EQ(rings_of(both), (std::set<std::string>{"generic-classic"}));
+  EXPECT_TRUE(has_suture(both));
+  EXPECT_TRUE(is_cut(both, "generic-geoform-like ring", "prolapses"));
+  mixed.type_sure = false;
+  EXPECT_TRUE(rings_of(PlanSpace(small_valve(), {}, mixed)).contains("generic-geoform-like"));
   Diagnosis unsure = diagnosis_of({CarpentierType::I});
   unsure.not_ruled_out = CarpentierType::IIIb;
   EXPECT_TRUE(has_suture(PlanSpace(small_valve(), {}, unsure)));
