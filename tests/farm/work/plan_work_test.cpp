@@ -136,7 +136,7 @@ TEST(PlanWork, DoubtsShapesThatAreNotAtRestAndLeaksThatAreNotTheirs) {
     return work->doubt(0, 1, bytes);
   };
   EXPECT_FALSE(doubt([](ReportMaterial&, Json&) {}));
-  const auto away = [](ClosedValve& shape) { shape.closure.closed_mm.col(2).array() += 1.0; };
+  const auto away = [](ClosedValve& shape) { shape.closure.closed_mm.col(2).array() += 3.0; };
   EXPECT_TRUE(doubt([&](ReportMaterial& material, Json&) { away(material.before); }));
   EXPECT_TRUE(doubt([&](ReportMaterial& material, Json&) { away(material.after.front()); }));
   EXPECT_TRUE(doubt([](ReportMaterial&, Json& plans) {
