@@ -357,7 +357,7 @@ fuzz-valve fuzz-plan fuzz-endpoints: FUZZ_MORE := -dict=tests/fuzz/json.dict
 fuzz-import: FUZZ_MORE := -max_len=256
 fuzz-endpoints: FUZZ_MEMORY :=
 $(addprefix fuzz-,$(FUZZERS)): fuzz-%:
-	TMPDIR=/dev/shm build/fuzz/bin/fuzz_$* $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 $(FUZZ_MORE) build/fuzz/corpus/$*
+	TMPDIR=/dev/shm LSAN_OPTIONS=suppressions=tests/known_leaks.txt build/fuzz/bin/fuzz_$* $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 $(FUZZ_MORE) build/fuzz/corpus/$*
 
 .PHONY: wheel tarball sbom archives-test container-test reproducible clang arm64 workflow-check
 PACK := cmake/packaging/source_date.sh

@@ -70,13 +70,14 @@ Errors take_part(std::string_view headers, std::string_view content, Json& docum
       return {Error{ErrorCode::BadReference, "", "two parts of the form have the same name"}};
     name->erase(0, dot + 1);
   }
-  if (is_list && !value.is_array()) {
-    (*target)[*name].push_back(std::move(value));
-    return {};
-  }
-  if (target->contains(*name))
+  const bool is_new = !target->contains(*name);
+  Json& place = (*target)[*name];
+  if (is_list && !value.is_array() && (is_new || place.is_array()))
+    place.push_back(std::move(value));
+  else if (is_new)
+    place = std::move(value);
+  else
     return {Error{ErrorCode::BadReference, "", "two parts of the form have the same name"}};
-  (*target)[*name] = std::move(value);
   return {};
 }
 

@@ -52,6 +52,9 @@ TEST(FormBody, WhatIsNotWholeIsRefused) {
   EXPECT_FALSE(json_of_form(whole, "multipart/form-data"));
   EXPECT_FALSE(json_of_form(part("filename=\"a\"", "1") + "--x-y--", kType));
   EXPECT_FALSE(json_of_form(part("name=\"a\"", "1") + part("name=\"a\"", "2") + "--x-y--", kType));
+  EXPECT_FALSE(json_of_form(
+      part("name=\"leaflets.a\"", "1") + part("name=\"leaflets\"", "2") + "--x-y--", kType))
+      << "an object and a list";
 }
 
 }  // namespace
