@@ -7,11 +7,13 @@ import { hasRing } from '../repair/steps'
 import { at, onFace } from '../viewer/geometry'
 import { boxesOver } from '../viewer/label_layout'
 import { type Label, Labels } from '../viewer/labels'
+import { turnToCut } from '../viewer/cut_sight'
 import { heldIn } from '../viewer/marks'
+import { Neighbours } from '../viewer/neighbours'
 import { pickAt, type Pick, type PickKind } from '../viewer/pick'
 import { Stage, type ViewName } from '../viewer/stage'
 import { startLive, type LiveClient, type LivePicture, type LiveValve } from './client'
-import { LiveDrawing, type LiveLook } from './drawing'
+import { cutOf, LiveDrawing, type LiveLook } from './drawing'
 import { Hooks } from './hooks'
 import { Pictures, Rate } from './rates'
 import { edgeOf } from './surface'
@@ -40,9 +42,12 @@ export class LiveCanvas {
   latency_ms: number | null = null // from the last move to its picture
   private names: Label[] = []
   private marks: Label[] = []
+  private labelled = '' // the labels that are set
+  private wasCut = false
   private client: LiveClient | null = null
   private readonly labels: Labels
   private readonly drawing: LiveDrawing
+  private readonly neighbours: Neighbours
   private readonly steps = new Rate()
   private readonly pictures = new Pictures()
   private readonly rates = h('p', { class: liveStyle.rates, 'data-part': 'rates' })
@@ -56,6 +61,7 @@ export class LiveCanvas {
     this.stage = new Stage(options.label)
     this.labels = new Labels(this.stage)
     this.drawing = new LiveDrawing(this.stage)
+    this.neighbours = new Neighbours(this.stage)
     this.element = h('div', { class: `${viewerStyle.viewer} ${liveStyle.live}`, 'data-part': 'live' })
     this.hooks = new Hooks(
       this.stage,
@@ -133,8 +139,11 @@ export class LiveCanvas {
 
   /// With another look, or from elsewhere.
   redraw(): void {
-    if (!this.picture) return
-    this.drawing.move(this.picture, this.look)
+    if (this.picture) {
+      this.turnToCut()
+      this.drawing.move(this.picture, this.look)
+    }
+    this.setLabels()
     this.hooks.place()
     this.stage.draw()
   }
@@ -151,8 +160,7 @@ export class LiveCanvas {
   }
   mark(labels: Label[]): void {
     this.marks = labels
-    this.labels.set([...this.names, ...labels])
-    this.stage.draw()
+    this.setLabels()
   }
 
   /// Where a point that was picked is now.
@@ -169,6 +177,28 @@ export class LiveCanvas {
   }
   get vertices(): Float32Array {
     return this.drawing.nodes.subarray(0, this.drawing.valve?.scene.rest_mm.length ?? 0)
+  }
+
+  /// Names of what the cut leaves, root and appendage where the valve is seen from above, and what was picked.
+  private setLabels(): void {
+    const scene = this.drawing.valve?.scene ?? null
+    const beside = this.neighbours.show(scene)
+    const names = [...this.names, ...beside].filter(({ point_mm }) => this.drawing.leaves(point_mm, this.look))
+    const labels = [...names, ...this.marks]
+    const asked = JSON.stringify(labels)
+    if (asked === this.labelled) return
+    this.labelled = asked
+    this.labels.set(labels)
+    this.stage.draw()
+  }
+
+  /// Once, when the valve is cut.
+  private turnToCut(): void {
+    const scene = this.drawing.valve?.scene
+    const cut = scene ? cutOf(scene, this.look) : null
+    const isNew = cut !== null && !this.wasCut
+    this.wasCut = cut !== null
+    if (scene && cut && isNew) turnToCut(this.stage, scene, this.drawing.nodes, cut)
   }
 
   private begin(): LiveClient {

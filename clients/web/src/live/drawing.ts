@@ -20,6 +20,7 @@ import {
 import { leafletMaterial, Leaflets } from '../viewer/leaflets'
 import { Lines } from '../viewer/lines'
 import { Ring } from '../viewer/ring'
+import { type CutPlane, nearSide } from '../viewer/cut_sight'
 import type { Stage } from '../viewer/stage'
 import type { LiveValve } from './client'
 import { highlighted, prolapse, strainColour } from './surface'
@@ -66,6 +67,7 @@ export class LiveDrawing {
   private isAbove = '' // as painted
   private hasRing = false
   private ringAt: Vector[] = []
+  private side = 1 // of the cut that is hidden: 1 posteromedial, -1 anterolateral
 
   constructor(private readonly stage: Stage) {
     this.ring.set(null)
@@ -111,6 +113,12 @@ export class LiveDrawing {
     this.plane.visible = look.plane
     this.drawHooks(picture.hooks, look.amplified ?? 1)
     this.drawCut(scene, look)
+  }
+
+  /// Whether a point is on the side of the cut that is drawn.
+  leaves(point_mm: Vector, look: LiveLook): boolean {
+    const cut = this.valve && cutOf(this.valve.scene, look)
+    return !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
   }
 
   measure(points: number[]): void {
@@ -203,18 +211,21 @@ export class LiveDrawing {
   }
 
   /// Across the annulus; the side that is nearer to the eye is hidden.
-  private drawCut(scene: ValveShape, { cut }: LiveLook): void {
-    const { x } = scene.plane
-    const point = cutPoint(scene, cut ?? 0)
-    const side = dot(minus(this.stage.camera.position.toArray(), point), x) < 0 ? 1 : -1
-    const planes =
-      cut === null
-        ? []
-        : [new Plane().setFromNormalAndCoplanarPoint(new Vector3(...times(side, x)), new Vector3(...point))]
+  private drawCut(scene: ValveShape, look: LiveLook): void {
+    const cut = cutOf(scene, look)
+    if (cut) this.side = nearSide(this.stage, cut, this.side)
+    const planes = cut
+      ? [
+          new Plane().setFromNormalAndCoplanarPoint(
+            new Vector3(...times(-this.side, cut.normal)),
+            new Vector3(...cut.point_mm),
+          ),
+        ]
+      : []
     this.leaflets?.cut(planes)
     this.ring.cut(planes)
     for (const name of ['chordae', 'ruptured', 'sutures', 'ties', 'seams'] as const) this.lines[name].cut(planes)
-    const traced = cut === null ? [] : section(scene, this.nodes, point, x)
+    const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []
     this.lines.cut.width = scene.thickness_mm
     this.lines.cut.set(
       traced.flatMap(({ from, to }) => [...from, ...to]),
@@ -224,6 +235,11 @@ export class LiveDrawing {
       }),
     )
   }
+}
+
+/// Of a look; null: the valve is whole.
+export function cutOf(scene: ValveShape, { cut }: LiveLook): CutPlane | null {
+  return cut === null ? null : { point_mm: cutPoint(scene, cut), normal: scene.plane.x }
 }
 
 /// Where a cut across the annulus lies; `cut` as of LiveLook.

@@ -4,6 +4,8 @@ import { withError, withUnit } from '../format'
 import type { ToleranceWords } from '../state/readings'
 import type { Misses } from './errors'
 
+export const TRACE_MM2 = 1 // a leak below it is none or a trace, as in reports (kTraceLeak_mm2)
+
 export interface Sample {
   errors: number[] // mm, one a way
   leak_mm2: number | null // null: not closed, or not to be trusted

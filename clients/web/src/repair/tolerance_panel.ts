@@ -15,7 +15,7 @@ import type { Viewer } from '../viewer/viewer'
 import type { Workspace } from '../workspace'
 import { missesOf, type Misses, widened } from './errors'
 import { handlesOf } from './handles'
-import { leakAt, sampleOf, type Tolerance, varied, wordsOf } from './tolerance'
+import { leakAt, sampleOf, type Tolerance, TRACE_MM2, varied, wordsOf } from './tolerance'
 import parts from '../style/parts.module.css'
 
 const NONE = ''
@@ -25,7 +25,7 @@ const UNITS = 3 // how far the surface reaches
 const ROWS = 6
 const ANGLES = 32
 const ABOVE_MM = 2 // a band around the annulus lies upon the ring
-const COMPETENT_MM2 = 5 // if the closure says none (thesis 4.2.3)
+const SCALE_MM2 = 10 // of the surface around a handle
 
 export class TolerancePanel {
   readonly element: HTMLElement
@@ -133,8 +133,6 @@ export class TolerancePanel {
     for (const part of [this.scale, this.curves, this.progress]) part.replaceChildren()
     await new Promise((rest) => setTimeout(rest, REST_MS))
     if (signal.aborted) return
-    const limit_mm2 =
-      after.closure.diagnosis?.thresholds.find(({ figure }) => figure === 'leak_mm2')?.threshold ?? COMPETENT_MM2
     const planned = sampleOf(
       misses.ways.map(() => 0),
       after.closure,
@@ -143,28 +141,28 @@ export class TolerancePanel {
       const steps = plan.steps.map((other, at) => (at === i ? step : other))
       return close(valve, { ...plan, steps }, signal)
     }
-    await varied(misses, planned, closed, (known) => this.show(misses, known, limit_mm2), { atOnce: AT_ONCE, signal })
+    await varied(misses, planned, closed, (known) => this.show(misses, known), { atOnce: AT_ONCE, signal })
   }
 
-  private show(misses: Misses, known: Tolerance, limit_mm2: number): void {
-    const scale: Scale = { title: 'leak if placed here', unit: 'mm²', from: 0, to: 2 * limit_mm2, stops: BALANCED }
-    const words = wordsOf(known, misses, limit_mm2)
+  private show(misses: Misses, known: Tolerance): void {
+    const scale: Scale = { title: 'leak if placed here', unit: 'mm²', from: 0, to: SCALE_MM2, stops: BALANCED }
+    const words = wordsOf(known, misses, TRACE_MM2)
     tellReadings({ tolerance: words })
     this.viewer.bubble(this.surface(misses, known, scale))
     const at_mm = misses.placeAt(misses.ways.map(() => 0))
     const label = words?.margin ? `margin ${words.margin}` : 'leaks as planned'
     if (words && at_mm) this.viewer.mark([{ point_mm: at_mm, text: label, kind: 'distance' }])
-    this.said.textContent = words ? sentence(words, misses, limit_mm2) : ''
+    this.said.textContent = words ? sentence(words, misses) : ''
     this.scale.replaceChildren(legend('leaflets', scale, []))
     const untrusted = known.samples.filter(({ leak_mm2 }) => leak_mm2 === null).length
     this.progress.textContent =
       `${counted(known.samples.length, 'closure')}${known.isDone ? '' : ', more in progress'}.` +
       (untrusted > 0 ? ` ${untrusted} of them ${untrusted === 1 ? 'is' : 'are'} unreliable and excluded.` : '')
-    this.drawCurves(misses, known, limit_mm2)
+    this.drawCurves(misses, known)
   }
 
-  private drawCurves(misses: Misses, known: Tolerance, limit_mm2: number): void {
-    const series = curves(misses, known, limit_mm2)
+  private drawCurves(misses: Misses, known: Tolerance): void {
+    const series = curves(misses, known)
     const summary = series.map(curveWords).join(' ')
     if (this.chart) {
       this.chart.show(series, summary)
@@ -226,7 +224,7 @@ export class TolerancePanel {
 }
 
 /// One a way, and the limit.
-function curves({ ways, unit }: Misses, { samples }: Tolerance, limit_mm2: number): Series[] {
+function curves({ ways, unit }: Misses, { samples }: Tolerance): Series[] {
   const reach = UNITS * unit.mm
   const lines = ways.map(({ name }, way): Series => {
     const on = samples
@@ -236,11 +234,11 @@ function curves({ ways, unit }: Misses, { samples }: Tolerance, limit_mm2: numbe
     return { label: name, hue: way as 0 | 1 | 2, x: on.map(([x]) => x), y: on.map(([, y]) => y) }
   })
   const limit: Series = {
-    label: `competent below ${number(limit_mm2, 0)} mm²`,
+    label: `none or trace below ${number(TRACE_MM2, 0)} mm²`,
     hue: 'ink',
     look: 'dashed',
     x: [-reach, reach],
-    y: [limit_mm2, limit_mm2],
+    y: [TRACE_MM2, TRACE_MM2],
   }
   return [...lines, limit]
 }
@@ -249,8 +247,8 @@ function curveWords({ label, x, y }: Series): string {
   return `${label}: ${x.map((error, i) => `${number(y[i])} mm² at ${number(error)} mm`).join(', ')}.`
 }
 
-function sentence({ margin, leak_off }: ToleranceWords, { unit }: Misses, limit_mm2: number): string {
-  const limit = withUnit(limit_mm2, 'mm²', 0)
+function sentence({ margin, leak_off }: ToleranceWords, { unit }: Misses): string {
+  const limit = withUnit(TRACE_MM2, 'mm²', 0)
   return margin === null
     ? `It leaks more than ${limit} as planned; with an error of ${unit.words}, the leak is at most ${leak_off}.`
     : `The margin to a leak of ${limit} is ${margin}; with an error of ${unit.words}, the leak is at most ${leak_off}.`

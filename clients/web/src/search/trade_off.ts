@@ -10,8 +10,8 @@ import { doubts, FURTHEST_DISEASE_MM, openingMm2 } from './figures'
 import { frontRows, frontTable, unrankedPoints } from './front'
 import { LEVEL_MM, placeOf, tradeCells, tradeInWords, tradeOfFront, tradeOfRanked } from './trade'
 import parts from '../style/parts.module.css'
+import { TRACE_MM2 } from '../repair/tolerance'
 
-const COMPETENT_MM2 = 1
 const STENOSIS_MM2 = 150
 const GOOD_REPAIR_MM2 = 5 // search/plans/objective.h
 const TITLE = 'Leak versus diastolic opening'
@@ -26,9 +26,9 @@ export function tradeOff(result: SearchResult, signal: AbortSignal): HTMLElement
         summary: tradeSummary(result),
         x: {
           label: 'leak, mean + sd, mm²',
-          least: 1.2 * COMPETENT_MM2,
+          least: 1.2 * TRACE_MM2,
           most: Math.max(GOOD_REPAIR_MM2, ...ranked.map(({ x }) => x)),
-          limit: { value: COMPETENT_MM2, label: 'from 1 mm²: mild' },
+          limit: { value: TRACE_MM2, label: 'from 1 mm²: mild' },
         },
         y: {
           label: 'opening, cm²',

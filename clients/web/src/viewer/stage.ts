@@ -137,6 +137,12 @@ export class Stage {
     return this.camera.getWorldDirection(new Vector3()).z < -FROM_ABOVE
   }
 
+  /// Whether a point is in the picture, behind something or not.
+  shows(point_mm: Vector): boolean {
+    const { x, y } = this.place(point_mm)
+    return x > 0 && y > 0 && x < this.size.x && y < this.size.y
+  }
+
   /// From the target to the middle of what is seen from so far away: what is nearer is seen larger, and farther from the middle.
   private offCentre(away: number): Vector3 {
     const turned = this.camera.quaternion.clone().invert()

@@ -3,28 +3,17 @@ import { Plane, Vector3 } from 'three'
 import type { LeafletPoint, LeakSurfaces, Opening, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
-import {
-  at,
-  chordaLines,
-  closedNodes,
-  dot,
-  minus,
-  nodesAt,
-  plus,
-  seamLines,
-  section,
-  tieLines,
-  times,
-  unit,
-} from './geometry'
+import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines } from './geometry'
 import { Bubble, type BubbleSurface } from './bubble'
+import { nearSide, turnToCut } from './cut_sight'
 import { Handles } from './handles'
 import { around, type Box, boxesOver } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
 import { leakLabels, LeakMeshes, openingLabels } from './leak'
 import { leafletMaterial, Leaflets } from './leaflets'
 import { Lines } from './lines'
-import { heldIn, hours, namesOf, neighbours, wholeValve } from './marks'
+import { heldIn, hours, namesOf } from './marks'
+import { Neighbours } from './neighbours'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
 import { Ring } from './ring'
@@ -34,8 +23,6 @@ import viewerStyle from './viewer.module.css'
 type Cut = Scene['sections'][number]
 
 const NO_LEAK: LeakSurfaces = []
-const TURNED_TO = 0.5 // sine between sight and cut, from where on the cut is seen well
-const LEAST_SLANT = 0.1 // sine between sight and cut, from where on the hidden side changes
 const TURNED_PX = 4 // a pointer that moved so far has turned the valve, not clicked it
 
 export interface Look {
@@ -77,6 +64,7 @@ export class Viewer {
   private drawn = '' // the look of the scene that is drawn
   private side = 1 // of the cut that is hidden: 1 posteromedial, -1 anterolateral
   private readonly labels: Labels
+  private readonly neighbours: Neighbours
   private readonly readout = new Readout('readout')
   private pointed = 0 // the frame in which the readout follows the pointer
   private readonly ring = new Ring()
@@ -89,13 +77,13 @@ export class Viewer {
     seams: new Lines({ width: 3, colour: TINTS.added, dashed: true, inFront: true }),
     behind: new Lines({ width: 2, colour: TINTS.added, dashed: true, inFront: true }), // sutures through tissue
     cut: new Lines({ width: 1, inMillimetres: true }),
-    neighbours: new Lines({ width: 1.6, colour: '#8a6f6a' }),
     drawn: new Lines({ width: 2.5, colour: '#d6336c', inFront: true }),
   }
 
   constructor(label: string) {
     this.stage = new Stage(label)
     this.labels = new Labels(this.stage)
+    this.neighbours = new Neighbours(this.stage)
     this.labels.avoid = () => this.covered()
     this.labels.isBehind = (point_mm) => this.leaflets !== null && isBehind(point_mm, this.stage, this.leaflets)
     this.handles = new Handles(
@@ -153,11 +141,10 @@ export class Viewer {
     const wasCut = this.look?.cut ?? null
     this.look = look
     const cut = look.cut === null ? undefined : scene?.sections[look.cut]
-    if (cut && wasCut === null) this.turnTo(cut)
-    if (cut) this.side = this.nearSide(cut)
-    const beside =
-      scene && look.names && this.stage.isFromAbove ? neighbours(scene).filter((one) => this.isInSight(one.label)) : []
-    const asked = JSON.stringify([look, this.extra, this.side, beside.map(({ label }) => label.text)])
+    if (scene && cut && wasCut === null) turnToCut(this.stage, scene, this.nodes, cut)
+    if (cut) this.side = nearSide(this.stage, cut, this.side)
+    const beside = this.neighbours.show(look.names ? scene : null)
+    const asked = JSON.stringify([look, this.extra, this.side, beside.map(({ text }) => text)])
     if (!scene || !leaflets || asked === this.drawn) return
     this.drawn = asked
     this.pointAway()
@@ -174,8 +161,7 @@ export class Viewer {
     this.leak.show(surfaces)
     const isLeft = ({ point_mm }: Label): boolean =>
       !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
-    this.lines.neighbours.set(beside.flatMap(({ outline }) => outline))
-    const names = look.names ? [...namesOf(scene, this.nodes), ...beside.map(({ label }) => label)] : []
+    const names = look.names ? [...namesOf(scene, this.nodes), ...beside] : []
     const named = [...names, ...(look.hours ? hours(scene) : [])].filter(isLeft)
     this.labels.set([...named, ...labels, ...this.extra])
     this.stage.draw()
@@ -222,11 +208,6 @@ export class Viewer {
     this.stage.draw()
   }
 
-  private isInSight({ point_mm }: Label): boolean {
-    const { x, y } = this.stage.place(point_mm)
-    return x > 0 && y > 0 && x < this.stage.size.x && y < this.stage.size.y
-  }
-
   /// Lines drawn over everything, such as a measured distance: six numbers each.
   draw(points: number[]): void {
     this.lines.drawn.set(points)
@@ -270,24 +251,6 @@ export class Viewer {
         return [...colour, ...colour]
       }),
     )
-  }
-
-  /// A new cut that is seen from its edge shows nothing: the camera turns to it, the atrium stays above.
-  private turnTo(cut: Cut): void {
-    const toEye = unit(minus(this.stage.camera.position.toArray(), cut.point_mm))
-    if (!this.scene || Math.abs(dot(toEye, cut.normal)) > TURNED_TO) return
-    const { normal } = this.scene.plane
-    this.stage.look(
-      plus(times(-Math.sign(cut.normal[0]), cut.normal), times(0.3, normal)),
-      wholeValve(this.scene, this.nodes),
-    )
-  }
-
-  /// Which side of the cut the eye is on; as before if it is nearly in it.
-  private nearSide(cut: Cut): number {
-    const toEye = unit(minus(this.stage.camera.position.toArray(), cut.point_mm))
-    const slant = dot(toEye, cut.normal)
-    return Math.abs(slant) < LEAST_SLANT ? this.side : Math.sign(slant)
   }
 
   /// Once a frame; not while the valve is turned.

@@ -265,7 +265,16 @@ test('a study', async () => {
 test('live: at rest, pulled, and while something is picked', async () => {
   await view('Live')
   await page.locator('[data-part=live-state]', { hasText: 'At rest' }).waitFor()
-  await page.locator('[data-part=labels]', { hasText: 'P2' }).waitFor()
+  const named = (text) => page.locator('[data-part=labels] span', { hasText: text })
+  await named('aortic root').waitFor()
+  await named('P2').waitFor()
+  await page.getByLabel('Cut', { exact: true }).check()
+  await named('A1').waitFor({ state: 'detached' }) // of the half that is hidden
+  await named('A3').waitFor()
+  assert.equal(await named('aortic root').count(), 0, 'it is seen from the side')
+  await looksWell('live-cut')
+  await page.getByLabel('Cut', { exact: true }).uncheck()
+  await press('From the atrium')
   await press('P2')
   for (let i = 0; i < 6; ++i) await press('Lift')
   await page.locator('[data-part=live-state]', { hasText: 'Pulled by one hook' }).waitFor()

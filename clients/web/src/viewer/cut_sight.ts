@@ -1,0 +1,31 @@
+// How the eye meets a cut through a valve.
+import type { ValveShape, Vector } from '../api/types'
+import { dot, minus, plus, times, unit } from './geometry'
+import { wholeValve } from './marks'
+import type { Stage } from './stage'
+
+export interface CutPlane {
+  point_mm: Vector
+  normal: Vector
+}
+
+const TURNED_TO = 0.5 // sine between sight and cut, from where on the cut is seen well
+const LEAST_SLANT = 0.1 // sine between sight and cut, from where on the hidden side changes
+
+/// Sine between sight and cut, above 0 from where the normal points to.
+function slantOf(stage: Stage, { point_mm, normal }: CutPlane): number {
+  return dot(unit(minus(stage.camera.position.toArray(), point_mm)), normal)
+}
+
+/// A new cut that is seen from its edge shows nothing: the camera turns to it, the atrium stays above.
+export function turnToCut(stage: Stage, scene: ValveShape, nodes: ArrayLike<number>, cut: CutPlane): void {
+  if (Math.abs(slantOf(stage, cut)) > TURNED_TO) return
+  const { normal } = scene.plane
+  stage.look(plus(times(-Math.sign(cut.normal[0]), cut.normal), times(0.3, normal)), wholeValve(scene, nodes))
+}
+
+/// Which side of the cut the eye is on, 1 or -1; as before if it is nearly in it.
+export function nearSide(stage: Stage, cut: CutPlane, before: number): number {
+  const slant = slantOf(stage, cut)
+  return Math.abs(slant) < LEAST_SLANT ? before : Math.sign(slant)
+}
