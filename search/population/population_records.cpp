@@ -190,7 +190,7 @@ Expected<std::vector<PopulationRecord>> unpack_records(std::string_view bytes) {
   if (bytes.size() % sizeof(PopulationRecord) != 0)
     return Error{ErrorCode::Unsupported, "", "holds no whole number of population records"};
   std::vector<PopulationRecord> records(bytes.size() / sizeof(PopulationRecord));
-  std::memcpy(records.data(), bytes.data(), bytes.size());
+  if (!bytes.empty()) std::memcpy(records.data(), bytes.data(), bytes.size());
   return records;
 }
 

@@ -92,6 +92,7 @@ TEST(PopulationRecords, AreTheSameBytesForEveryNumberOfThreadsAndRange) {
   EXPECT_EQ(population_records(population, options, 1, 1), both.substr(both.size() / 2));
   const std::vector<PopulationRecord> records = *unpack_records(both);
   EXPECT_FALSE(unpack_records(both.substr(1)));
+  EXPECT_TRUE(unpack_records("")->empty());
   for (const PopulationRecord& record : records) {
     EXPECT_EQ(record.made, 1);
     EXPECT_FLOAT_EQ(
