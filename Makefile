@@ -353,7 +353,7 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images, answers and requests ea
 	mkdir -p build/fuzz/corpus/import
 	$(MAKE) --no-print-directory --output-sync --jobs=$$(nproc) $(addprefix fuzz-,$(FUZZERS))
 
-fuzz-valve fuzz-plan fuzz-endpoints: FUZZ_MORE := -dict=tests/fuzz/json.dict
+fuzz-valve fuzz-plan fuzz-answers fuzz-endpoints: FUZZ_MORE := -dict=tests/fuzz/json.dict
 fuzz-import: FUZZ_MORE := -max_len=256
 fuzz-endpoints: FUZZ_MEMORY :=
 $(addprefix fuzz-,$(FUZZERS)): fuzz-%:

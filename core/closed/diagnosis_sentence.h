@@ -8,7 +8,7 @@
 
 namespace coapt {
 
-/// Whether the widest part of the leak's error, or the diagnosis's own, leaves no doubt that the valve is competent or that it is not.
+/// Whether neither the diagnosis's own error nor the widest part of the leak's leaves a doubt that the valve is competent or that it is not.
 bool is_competence_sure(const Diagnosis& diagnosis, const Estimate& leak);
 
 /// Why it leaks: "The valve leaks 84 ± 7 mm² because the chordae of P2 are ruptured: its edge lies 9 mm too high above the opposite

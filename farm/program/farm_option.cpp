@@ -29,9 +29,10 @@ void add_run_argument(Command command, std::uint64_t& run) {
 
 void add_recompute_option(Command command, int& tasks) {
   command
-      .add_option("--recompute", tasks,
-                  "Number of random tasks recomputed here before the results are written (default: "
-                  "2; for searches 1, in runs of 5 and more)")
+      .add_option(
+          "--recompute", tasks,
+          "Number of random tasks recomputed here before the results are written (default: "
+          "2; for searches 1, in runs of 5 and more); those that look wrong are recomputed besides")
       .check(number_from(0, 1'000'000))
       .show_argument("TASKS");
 }

@@ -60,6 +60,15 @@ struct Wrong {
   std::string why;
 };
 
+/// What cannot even be looked at is doubtful.
+bool is_doubtful(const Work& work, const AnsweredTask& task) {
+  try {
+    return work.doubt && work.doubt(task.first, task.count, task.bytes);
+  } catch (const std::exception&) {
+    return true;
+  }
+}
+
 int usable_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 /// In order; all of them unless `with_holes`. `take` returns whether to go on. Returns an exit code; kFailure also after a false.
@@ -176,12 +185,13 @@ int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_error
                                    : "";
         if (!objection.empty())
           wrong = {task.first, objection};
-        else if (asked.check->doubt && asked.check->doubt(task.first, task.count, task.bytes))
+        else if (is_doubtful(*asked.check, task))
           doubtful.push_back(task);
         else
           drawing.offer(task);
-        return !wrong;
+        return !wrong && !interrupted;
       });
+  if (interrupted) return exit_code::kInterrupted;
   if (status != exit_code::kOk && !wrong) return status;
   doubtful.insert(doubtful.end(), drawing.drawn().begin(), drawing.drawn().end());
   for (std::size_t i = 0; !wrong && !interrupted && i < doubtful.size(); ++i) {

@@ -5,7 +5,7 @@
 namespace coapt {
 namespace {
 
-// Of flat_end(): chosen on 36 sound leaflets and their cuts, judged on others (docs/experiments.md).
+// Of flat_end(), chosen on label maps and judged on others (docs/experiments.md).
 constexpr Index kLayersBehind = 3;
 constexpr double kAsLarge = 0.9, kHalfAsLarge = 0.5, kBacked = 0.95;
 

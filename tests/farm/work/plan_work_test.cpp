@@ -144,6 +144,8 @@ TEST(PlanWork, DoubtsShapesThatAreNotAtRestAndLeaksThatAreNotTheirs) {
     area = area.get<double>() + 1.0;
   }));
   EXPECT_TRUE(doubt([](ReportMaterial&, Json& plans) { plans["before"]["status"] = "diverged"; }));
+  EXPECT_TRUE(doubt([](ReportMaterial&, Json& plans) { plans["before"] = nullptr; }));
+  EXPECT_TRUE(doubt([](ReportMaterial&, Json& plans) { plans["plans"][0]["leak"] = nullptr; }));
 }
 
 TEST(PlanWork, AStoppedSearchHasNoAnswer) {

@@ -198,7 +198,8 @@ export class LiveCanvas {
     const cut = scene ? cutOf(scene, this.look) : null
     const isNew = cut !== null && !this.wasCut
     this.wasCut = cut !== null
-    if (scene && cut && isNew) turnToCut(this.stage, scene, this.drawing.nodes, cut)
+    const { nodes } = this.drawing
+    if (scene && cut && isNew) turnToCut(this.stage, scene, nodes.length > 0 ? nodes : undefined, cut)
   }
 
   private begin(): LiveClient {
@@ -232,6 +233,7 @@ export class LiveCanvas {
     if (!last || !this.drawing.valve) return
     if (this.isShown) this.client?.send({ live: 'picture' })
     this.picture = readPicture(last.numbers, this.drawing.valve.cables.length)
+    this.turnToCut()
     this.drawing.move(this.picture, this.look)
     this.hooks.tell(this.picture)
     this.stage.drawNow()

@@ -18,7 +18,7 @@ function slantOf(stage: Stage, { point_mm, normal }: CutPlane): number {
 }
 
 /// A new cut that is seen from its edge shows nothing: the camera turns to it, the atrium stays above.
-export function turnToCut(stage: Stage, scene: ValveShape, nodes: ArrayLike<number>, cut: CutPlane): void {
+export function turnToCut(stage: Stage, scene: ValveShape, nodes: ArrayLike<number> | undefined, cut: CutPlane): void {
   if (Math.abs(slantOf(stage, cut)) > TURNED_TO) return
   const { normal } = scene.plane
   stage.look(plus(times(-Math.sign(cut.normal[0]), cut.normal), times(0.3, normal)), wholeValve(scene, nodes))
