@@ -176,7 +176,7 @@ int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_error
                   const std::atomic<bool>& interrupted) {
   if (asked.check == nullptr) return exit_code::kOk;
   Drawing drawing(asked.sampled);
-  std::vector<AnsweredTask> doubtful;
+  std::vector<AnsweredTask> recomputed;  // doubtful ones first
   std::optional<Wrong> wrong;
   int status = for_each_answer(
       database, asked, true, json_errors, interrupted, [&](const AnsweredTask& task) {
@@ -186,16 +186,16 @@ int check_answers(FarmDatabase& database, const AskedRun& asked, bool json_error
         if (!objection.empty())
           wrong = {task.first, objection};
         else if (is_doubtful(*asked.check, task))
-          doubtful.push_back(task);
+          recomputed.push_back(task);
         else
           drawing.offer(task);
         return !wrong && !interrupted;
       });
   if (interrupted) return exit_code::kInterrupted;
   if (status != exit_code::kOk && !wrong) return status;
-  doubtful.insert(doubtful.end(), drawing.drawn().begin(), drawing.drawn().end());
-  for (std::size_t i = 0; !wrong && !interrupted && i < doubtful.size(); ++i) {
-    const AnsweredTask& task = doubtful[i];
+  recomputed.insert(recomputed.end(), drawing.drawn().begin(), drawing.drawn().end());
+  for (std::size_t i = 0; !wrong && !interrupted && i < recomputed.size(); ++i) {
+    const AnsweredTask& task = recomputed[i];
     try {
       if (asked.check->compute(task.first, task.count, usable_threads()) != task.bytes)
         wrong = {task.first, "recomputed here, they differ"};

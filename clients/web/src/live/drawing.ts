@@ -1,5 +1,5 @@
 // A valve that moves, as it is drawn: leaflets, chordae, annular plane, hooks, a cut.
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial, Plane, Vector3 } from 'three'
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial, Vector3 } from 'three'
 import type { Segment, ValveShape, Vector } from '../api/types'
 import type { HookState, Picture } from '../engine/picture'
 import { cornerColours, cutColour, rgb, TINTS, type Rgb } from '../viewer/colours'
@@ -20,7 +20,7 @@ import {
 import { leafletMaterial, Leaflets } from '../viewer/leaflets'
 import { Lines } from '../viewer/lines'
 import { Ring } from '../viewer/ring'
-import { type CutPlane, nearSide } from '../viewer/cut_sight'
+import { clippingPlanes, type CutPlane, isLeft, nearSide } from '../viewer/cut_sight'
 import type { Stage } from '../viewer/stage'
 import type { LiveValve } from './client'
 import { highlighted, prolapse, strainColour } from './surface'
@@ -118,7 +118,7 @@ export class LiveDrawing {
   /// Whether a point is on the side of the cut that is drawn.
   leaves(point_mm: Vector, look: LiveLook): boolean {
     const cut = this.valve && cutOf(this.valve.scene, look)
-    return !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
+    return isLeft(cut, this.side, point_mm)
   }
 
   measure(points: number[]): void {
@@ -214,14 +214,7 @@ export class LiveDrawing {
   private drawCut(scene: ValveShape, look: LiveLook): void {
     const cut = cutOf(scene, look)
     if (cut) this.side = nearSide(this.stage, cut, this.side)
-    const planes = cut
-      ? [
-          new Plane().setFromNormalAndCoplanarPoint(
-            new Vector3(...times(-this.side, cut.normal)),
-            new Vector3(...cut.point_mm),
-          ),
-        ]
-      : []
+    const planes = clippingPlanes(cut, this.side)
     this.leaflets?.cut(planes)
     this.ring.cut(planes)
     for (const name of ['chordae', 'ruptured', 'sutures', 'ties', 'seams'] as const) this.lines[name].cut(planes)

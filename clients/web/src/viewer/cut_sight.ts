@@ -1,4 +1,5 @@
 // How the eye meets a cut through a valve.
+import { Plane, Vector3 } from 'three'
 import type { ValveShape, Vector } from '../api/types'
 import { dot, minus, plus, times, unit } from './geometry'
 import { wholeValve } from './marks'
@@ -28,4 +29,16 @@ export function turnToCut(stage: Stage, scene: ValveShape, nodes: ArrayLike<numb
 export function nearSide(stage: Stage, cut: CutPlane, before: number): number {
   const slant = slantOf(stage, cut)
   return Math.abs(slant) < LEAST_SLANT ? before : Math.sign(slant)
+}
+
+/// What hides that side of the leaflets; nothing without a cut.
+export function clippingPlanes(cut: CutPlane | null, side: number): Plane[] {
+  if (!cut) return []
+  const kept = new Vector3(...times(-side, cut.normal))
+  return [new Plane().setFromNormalAndCoplanarPoint(kept, new Vector3(...cut.point_mm))]
+}
+
+/// Whether a point is on the side that is drawn.
+export function isLeft(cut: CutPlane | null, side: number, point_mm: Vector): boolean {
+  return !cut || side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
 }

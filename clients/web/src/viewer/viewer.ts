@@ -1,11 +1,10 @@
 // A valve in three dimensions: leaflets, chordae, annulus, where it is open, a cut, names.
-import { Plane, Vector3 } from 'three'
 import type { LeafletPoint, LeakSurfaces, Opening, Scene, Segment, Step, Vector } from '../api/types'
 import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
-import { at, chordaLines, closedNodes, dot, minus, nodesAt, seamLines, section, tieLines } from './geometry'
+import { at, chordaLines, closedNodes, nodesAt, seamLines, section, tieLines } from './geometry'
 import { Bubble, type BubbleSurface } from './bubble'
-import { nearSide, turnToCut } from './cut_sight'
+import { clippingPlanes, isLeft, nearSide, turnToCut } from './cut_sight'
 import { Handles } from './handles'
 import { around, type Box, boxesOver } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
@@ -159,10 +158,10 @@ export class Viewer {
     this.drawCut(scene, cut)
     const { surfaces, labels } = this.leakAt(look)
     this.leak.show(surfaces)
-    const isLeft = ({ point_mm }: Label): boolean =>
-      !cut || this.side * dot(minus(point_mm, cut.point_mm), cut.normal) <= 0
     const names = look.names ? [...namesOf(scene, this.nodes), ...beside] : []
-    const named = [...names, ...(look.hours ? hours(scene) : [])].filter(isLeft)
+    const named = [...names, ...(look.hours ? hours(scene) : [])].filter(({ point_mm }) =>
+      isLeft(cut ?? null, this.side, point_mm),
+    )
     this.labels.set([...named, ...labels, ...this.extra])
     this.stage.draw()
   }
@@ -235,8 +234,7 @@ export class Viewer {
 
   /// Hides what lies between the eye and the cut and shows the cut edge.
   private drawCut(scene: Scene, cut: Cut | undefined): void {
-    const away = new Vector3(...(cut?.normal ?? [0, 0, 1])).multiplyScalar(-this.side)
-    const planes = cut ? [new Plane().setFromNormalAndCoplanarPoint(away, new Vector3(...cut.point_mm))] : []
+    const planes = clippingPlanes(cut ?? null, this.side)
     this.leaflets?.cut(planes)
     this.leak.cut(planes)
     this.ring.cut(planes)
