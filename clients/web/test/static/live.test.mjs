@@ -45,10 +45,10 @@ async function closedVertices() {
   return [...new Float64Array(engine.closed().buffer)]
 }
 
-/// A place of the posterior leaflet's belly in the atrial view.
-async function tissue(shift = 0) {
+/// A place of the picture, as shares of it; without them the posterior leaflet's belly in the atrial view.
+async function tissue(across = 0.5, down = 0.72) {
   const { x, y, width, height } = await page.locator('[data-part=live] canvas').boundingBox()
-  return { x: x + width * (0.5 + shift), y: y + height * 0.72 }
+  return { x: x + width * across, y: y + height * down }
 }
 
 test('it closes as a closure does', async () => {
@@ -87,7 +87,7 @@ test('a hook that is pinned stays, and the next press is the other one', async (
   await page.mouse.move(x, y - 30)
   await page.mouse.up()
   await isHeld(0)
-  const other = await tissue(0.12)
+  const other = await tissue(0.62)
   await page.mouse.move(other.x, other.y)
   await page.mouse.down()
   await page.mouse.move(other.x, other.y - 40)
@@ -108,7 +108,7 @@ test('two fingers are two hooks', async () => {
   const session = await page.context().newCDPSession(page)
   await session.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 })
   const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints })
-  const [a, b] = [await tissue(-0.08), await tissue(0.12)]
+  const [a, b] = [await tissue(0.42), await tissue(0.62)]
   await touch('touchStart', { ...a, id: 1 }, { ...b, id: 2 })
   for (let i = 1; i <= 4; ++i)
     await touch('touchMove', { ...a, y: a.y - 10 * i, id: 1 }, { ...b, y: b.y - 10 * i, id: 2 })
@@ -181,8 +181,9 @@ test('a ring is put in while it is pressed, and kept', async () => {
 test('a cut, the annular plane and a distance are shown', async () => {
   await page.getByLabel('Annular plane').check()
   await page.getByRole('slider', { name: 'Position of the cut' }).fill('0.2')
+  await page.locator('[data-part=labels]').getByText('P1', { exact: true }).waitFor({ state: 'hidden' }) // with its half
   await page.getByRole('button', { name: 'Measure a distance' }).click()
-  const [a, b] = [await tissue(0.12), await tissue(0.18)] // what the cut leaves
+  const [a, b] = [await tissue(0.54, 0.27), await tissue(0.6, 0.3)] // P3, since the camera has turned to the cut
   await page.mouse.click(a.x, a.y)
   await page.mouse.click(b.x, b.y)
   await page.locator('[data-part=labels] [data-part=distance]', { hasText: /mm/ }).waitFor()
