@@ -19,6 +19,7 @@ import {
 } from '../viewer/geometry'
 import { leafletMaterial, Leaflets } from '../viewer/leaflets'
 import { Lines } from '../viewer/lines'
+import { PapillaryMuscles } from '../viewer/papillary'
 import { Ring } from '../viewer/ring'
 import { clippingPlanes, type CutPlane, isLeft, nearSide } from '../viewer/cut_sight'
 import type { Stage } from '../viewer/stage'
@@ -47,6 +48,7 @@ export class LiveDrawing {
   cableLines: number[] = [] // six numbers a cable that is a chorda's; of ties NaN
   private readonly material = leafletMaterial()
   private readonly ring = new Ring()
+  private readonly muscles = new PapillaryMuscles()
   private readonly plane = new Mesh(
     new BufferGeometry(),
     new MeshBasicMaterial({ color: '#3f8fd9', transparent: true, opacity: 0.28, side: DoubleSide, depthWrite: false }),
@@ -72,7 +74,7 @@ export class LiveDrawing {
   constructor(private readonly stage: Stage) {
     this.ring.set(null)
     this.plane.renderOrder = 1
-    stage.add(this.ring.mesh, this.plane, ...Object.values(this.lines).map((line) => line.object))
+    stage.add(this.ring.mesh, this.muscles.mesh, this.plane, ...Object.values(this.lines).map((line) => line.object))
   }
 
   set(valve: LiveValve, hasRing: boolean): void {
@@ -106,7 +108,10 @@ export class LiveDrawing {
     this.nodes = picture.nodes
     leaflets.move(picture.nodes)
     this.paint(look)
-    if (!look.noChordae) this.drawChordae(scene, picture, look)
+    if (!look.noChordae) {
+      this.drawChordae(scene, picture, look)
+      this.muscles.set(scene, picture.nodes)
+    }
     this.lines.ties.set(tieLines(scene, picture.nodes))
     this.lines.seams.set(seamLines(scene, picture.nodes))
     this.drawRing(scene)
@@ -217,6 +222,7 @@ export class LiveDrawing {
     const planes = clippingPlanes(cut, this.side)
     this.leaflets?.cut(planes)
     this.ring.cut(planes)
+    this.muscles.cut(planes)
     for (const name of ['chordae', 'ruptured', 'sutures', 'ties', 'seams'] as const) this.lines[name].cut(planes)
     const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []
     this.lines.cut.width = scene.thickness_mm

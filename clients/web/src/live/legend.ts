@@ -1,7 +1,7 @@
 // What the colours of a valve that moves mean.
 import { h } from '../dom'
 import { TINTS } from '../viewer/colours'
-import { type Kind, legend } from '../viewer/legend'
+import { type Kind, legend, PAPILLARY } from '../viewer/legend'
 import type { LiveLook } from './drawing'
 import { ABOVE, PROLAPSE_MM, STRAIN } from './surface'
 
@@ -12,6 +12,7 @@ export function liveLegend({ strain, prolapse }: LiveLook): HTMLElement {
     [TINTS.commissure, 'commissures'],
     ...(prolapse ? [[ABOVE, `prolapse: ${PROLAPSE_MM} mm above the annulus or more`] as const] : []),
     [TINTS.added, 'suture or neochorda'],
+    PAPILLARY,
   ]
   return h('div', {}, legend('leaflets', null, kinds), strain && legend('tension', STRAIN, []))
 }

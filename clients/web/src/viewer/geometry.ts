@@ -49,6 +49,11 @@ function stateAt(states: number[][], share: number): Float32Array {
   return Float32Array.from(a, (value, i) => value + (place - first) * ((b[i] as number) - value))
 }
 
+/// Papillary tips, in the order of heads.
+export function tipsOf({ heads }: ValveShape, nodes: ArrayLike<number>): Vector[] {
+  return heads.map((_, i) => at(nodes, nodes.length / 3 - heads.length + i))
+}
+
 /// Six numbers a chorda segment, its two ends, in the order of chordae and segments.
 export function chordaLines(scene: ValveShape, nodes: ArrayLike<number>): number[] {
   const lines: number[] = []

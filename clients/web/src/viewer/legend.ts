@@ -7,6 +7,8 @@ import viewerStyle from './viewer.module.css'
 
 export type Kind = readonly [colour: string, words: string]
 
+export const PAPILLARY: Kind = [TINTS.papillary, 'papillary muscles (only their tips are modelled)']
+
 /// What there is on these valves; `hasRing`: on one of them.
 export function kindsOn(scenes: readonly ValveShape[], hasRing = false): Kind[] {
   const chordae = scenes.flatMap((scene) => scene.chordae)
@@ -19,6 +21,7 @@ export function kindsOn(scenes: readonly ValveShape[], hasRing = false): Kind[] 
     chordae.some(({ ruptured }) => ruptured) && [TINTS.ruptured, 'ruptured chorda'],
     isAdded && [TINTS.added, 'suture or neochorda'],
     hasRing && [TINTS.ring, 'ring'],
+    scenes.some(({ heads }) => heads.length > 0) && PAPILLARY,
   ]
   return kinds.filter((kind) => kind !== false)
 }

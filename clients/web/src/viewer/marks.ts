@@ -1,7 +1,8 @@
 // What is named on a valve: landmarks of the annulus, segments of the leaflets, tips.
 import type { Segment, ValveShape, Vector } from '../api/types'
-import { at, blend, closedLine, distance, dot, minus, onFace, plus, times, unit, vertexCount } from './geometry'
+import { at, blend, closedLine, distance, dot, minus, onFace, plus, times, tipsOf, unit, vertexCount } from './geometry'
 import type { Label } from './labels'
+import { muscleEnds } from './papillary'
 import type { ViewName } from './stage'
 
 const LANDMARKS: Record<string, string> = {
@@ -34,9 +35,8 @@ export function namesOf(scene: ValveShape, nodes: ArrayLike<number>): Label[] {
   }
   for (const [segment, point_mm] of segmentMiddles(scene, nodes))
     labels.push({ point_mm, text: segment, kind: 'segment' })
-  const first = nodes.length / 3 - scene.heads.length
-  for (const [i, head] of scene.heads.entries())
-    labels.push({ point_mm: at(nodes, first + i), text: head.id, kind: 'tip' })
+  for (const [i, point_mm] of tipsOf(scene, nodes).entries())
+    labels.push({ point_mm, text: scene.heads[i]?.id ?? '', kind: 'tip' })
   return labels
 }
 
@@ -89,12 +89,17 @@ function annulusOf({ annulus, faces, segments }: ValveShape, segment: Segment): 
   return new Set(corners.map((vertex) => annulus.indexOf(vertex)).filter((i) => i >= 0))
 }
 
-/// Leaflets, unloaded and as `nodes` has them, and papillary tips.
+/// Leaflets, unloaded and as `nodes` has them, and papillary muscles.
 export function wholeValve(scene: ValveShape, nodes: ArrayLike<number> = scene.rest_mm): Vector[] {
   return [
     ...[scene.rest_mm, nodes].flatMap((places) => Array.from({ length: vertexCount(scene) }, (_, i) => at(places, i))),
-    ...scene.heads.map((head) => head.tip_mm),
+    ...papillary(scene),
   ]
+}
+
+function papillary(scene: ValveShape): Vector[] {
+  const tips = scene.heads.map((head) => head.tip_mm)
+  return [...tips, ...muscleEnds(scene, tips)]
 }
 
 /// What the camera holds in a view: from above the annulus alone, with its names; from below no unloaded leaflets, which hang so near to the
@@ -105,7 +110,7 @@ export function heldIn(view: ViewName, scene: ValveShape, nodes?: ArrayLike<numb
   return [
     ...Array.from({ length: vertexCount(scene) }, (_, i) => at(nodes, i)),
     ...annulusPoints(scene).map((point) => blend(scene.plane.origin_mm, point, OUTSIDE)),
-    ...scene.heads.map((head) => head.tip_mm),
+    ...papillary(scene),
   ]
 }
 

@@ -1,7 +1,7 @@
 // What lies under the pointer, in terms of a repair plan.
 import { Raycaster, Triangle, Vector3, type Intersection, type Material } from 'three'
 import type { LeafletPoint, ValveShape, Vector } from '../api/types'
-import { annulusPoint, at, chordaLines, leafletPointAt } from './geometry'
+import { annulusPoint, at, chordaLines, leafletPointAt, tipsOf } from './geometry'
 import type { Leaflets } from './leaflets'
 import type { Stage } from './stage'
 
@@ -34,7 +34,7 @@ export function pickAt(
   const hit = kinds.includes('leaflet') ? leafletHit(event, stage, leaflets) : null
   if (kinds.includes('head')) {
     const found = nearest(
-      scene.heads.map((head, i) => ({ id: head.id, point: at(nodes, nodes.length / 3 - scene.heads.length + i) })),
+      tipsOf(scene, nodes).map((point, i) => ({ id: scene.heads[i]?.id ?? '', point })),
       (c) => away(c.point),
     )
     const isHidden = hit && found && hit.distance < stage.camera.position.distanceTo(new Vector3(...found.point))

@@ -15,6 +15,7 @@ import { heldIn, hours, namesOf } from './marks'
 import { Neighbours } from './neighbours'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
+import { PapillaryMuscles } from './papillary'
 import { Ring } from './ring'
 import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
@@ -67,6 +68,7 @@ export class Viewer {
   private readonly readout = new Readout('readout')
   private pointed = 0 // the frame in which the readout follows the pointer
   private readonly ring = new Ring()
+  private readonly muscles = new PapillaryMuscles()
   private readonly around = new Bubble() // a handle
   private readonly lines = {
     chordae: new Lines({ width: 1.6 }),
@@ -100,6 +102,7 @@ export class Viewer {
     )
     this.stage.add(
       this.ring.mesh,
+      this.muscles.mesh,
       this.around.mesh,
       this.leak.group,
       ...Object.values(this.lines).map((line) => line.object),
@@ -153,6 +156,7 @@ export class Viewer {
     const mode = this.modeOf(look)
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
     this.drawChordae(scene, mode, look.scale)
+    this.muscles.set(scene, this.nodes)
     this.lines.ties.set(tieLines(scene, this.nodes))
     this.lines.seams.set(seamLines(scene, this.nodes))
     this.drawCut(scene, cut)
@@ -238,6 +242,7 @@ export class Viewer {
     this.leaflets?.cut(planes)
     this.leak.cut(planes)
     this.ring.cut(planes)
+    this.muscles.cut(planes)
     for (const name of ['chordae', 'ruptured', 'sutures', 'behind', 'ties', 'seams'] as const)
       this.lines[name].cut(planes)
     const traced = cut ? section(scene, this.nodes, cut.point_mm, cut.normal) : []

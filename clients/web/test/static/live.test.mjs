@@ -4,7 +4,7 @@ import { copyFileSync, cpSync, mkdtempSync, readFileSync, rmSync } from 'node:fs
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
-import { accessProblems, openView, ROOT, startBrowser, startService } from '../page/page.mjs'
+import { accessProblems, namedPoint, openView, ROOT, startBrowser, startService } from '../page/page.mjs'
 import { startInNode } from './bits.mjs'
 import { startFiles } from './files.mjs'
 
@@ -183,9 +183,9 @@ test('a cut, the annular plane and a distance are shown', async () => {
   await page.getByRole('slider', { name: 'Position of the cut' }).fill('0.2')
   await page.locator('[data-part=labels]').getByText('P1', { exact: true }).waitFor({ state: 'hidden' }) // with its half
   await page.getByRole('button', { name: 'Measure a distance' }).click()
-  const [a, b] = [await tissue(0.54, 0.27), await tissue(0.6, 0.3)] // P3, since the camera has turned to the cut
-  await page.mouse.click(a.x, a.y)
-  await page.mouse.click(b.x, b.y)
+  const { x, y } = await namedPoint(page.locator('[data-part=live]'), 'P3') // of the half that is left
+  await page.mouse.click(x, y)
+  await page.mouse.click(x + 20, y)
   await page.locator('[data-part=labels] [data-part=distance]', { hasText: /mm/ }).waitFor()
   assert.deepEqual(await accessProblems(page), [])
 })
