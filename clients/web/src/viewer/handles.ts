@@ -36,6 +36,7 @@ const LEAST_PX = 3 // a millimetre counts at least so much, if it is seen from i
 
 export class Handles<Value> {
   onGrab: (key: string) => void = () => {} // also by the keyboard
+  isLeft: (point_mm: Vector) => boolean = () => true // by a cut
   readonly element = h('div', { class: viewerStyle.handles, 'data-part': 'handles' })
   private readonly told = new Readout('dragged')
   private grips: Grip<Value>[] = []
@@ -84,7 +85,8 @@ export class Handles<Value> {
   }
 
   boxes(): Box[] {
-    return this.grips.map(({ handle }) => {
+    const shown = this.grips.filter(({ handle }) => this.isLeft(handle.at_mm))
+    return shown.map(({ handle }) => {
       const { x, y } = this.stage.place(handle.at_mm)
       return { left: x - HALF_PX, top: y - HALF_PX, right: x + HALF_PX, bottom: y + HALF_PX }
     })
@@ -118,7 +120,7 @@ export class Handles<Value> {
       const button = this.buttons.get(handle.key)
       if (!button || this.held?.key === handle.key) continue
       const { x, y, depth } = this.stage.place(handle.at_mm)
-      button.hidden = depth > 1
+      button.hidden = depth > 1 || !this.isLeft(handle.at_mm)
       button.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`
     }
   }

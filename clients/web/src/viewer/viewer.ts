@@ -145,6 +145,7 @@ export class Viewer {
     const cut = look.cut === null ? undefined : scene?.sections[look.cut]
     if (scene && cut && wasCut === null) turnToCut(this.stage, scene, this.nodes, cut)
     if (cut) this.side = nearSide(this.stage, cut, this.side)
+    this.handles.isLeft = (point_mm) => isLeft(cut ?? null, this.side, point_mm)
     const beside = this.neighbours.show(look.names ? scene : null)
     const asked = JSON.stringify([look, this.extra, this.side, beside.map(({ text }) => text)])
     if (!scene || !leaflets || asked === this.drawn) return
@@ -164,7 +165,7 @@ export class Viewer {
     this.leak.show(surfaces)
     const names = look.names ? [...namesOf(scene, this.nodes), ...beside] : []
     const named = [...names, ...(look.hours ? hours(scene) : [])].filter(({ point_mm }) =>
-      isLeft(cut ?? null, this.side, point_mm),
+      this.handles.isLeft(point_mm),
     )
     this.labels.set([...named, ...labels, ...this.extra])
     this.stage.draw()

@@ -138,6 +138,26 @@ test('a neochorda is put elsewhere on the leaflet', async () => {
   await titled('P2, free edge')
 })
 
+test('a cut hides the handles of the half that it hides, and shows them again when it is gone', async () => {
+  await page.getByRole('button', { name: 'Clear' }).click()
+  await page.getByRole('button', { name: 'Suture AL' }).click()
+  await page.getByRole('button', { name: 'Suture PM' }).click()
+  const ends = ['antero', 'postero'].map((side) => handle(new RegExp(`^Suture length, ${side}`)))
+  await ends[1].waitFor()
+  await isAnswered()
+  await page.getByLabel('Cut', { exact: true }).check()
+  await page.getByLabel('Position of the cut').fill('18')
+  await settled()
+  assert.equal((await Promise.all(ends.map((end) => end.isVisible()))).filter(Boolean).length, 1)
+  await page.getByLabel('Cut', { exact: true }).uncheck()
+  for (const end of ends) await end.waitFor()
+  await page.getByRole('button', { name: 'Clear' }).click()
+  await page.getByRole('button', { name: 'Neochorda' }).click()
+  await page.getByLabel('or choose the place').selectOption('P2')
+  await page.getByLabel('or choose the head').selectOption('PM1')
+  await handle(/^Neochorda insertion/).waitFor()
+})
+
 test('handles are named and no smaller than a finger needs', async () => {
   assert.deepEqual(await accessProblems(page), [])
   const { width, height } = await handle(/^Neochorda insertion/).boundingBox()
