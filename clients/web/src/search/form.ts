@@ -15,7 +15,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   const slots = new Map<string, HTMLElement>() // pointer -> where its problems are shown
   const names = new Map<string, string>() // pointer -> what the field is called
   const rest = h('div', {})
-  const valve = h('strong', {}, 'opening ...')
+  const valve = h('strong', { class: parts.oneLine }, 'opening ...')
   const keeps = h('span', {})
   const fixed = h('input', { type: 'checkbox', disabled: true })
   const go = h('button', { type: 'submit', class: parts.primary }, 'Start the search')
@@ -156,7 +156,7 @@ export function searchForm(start: (search: Asked) => void): JobForm {
   return {
     element,
     show(label, present) {
-      valve.textContent = label ?? 'opening ...'
+      valve.textContent = valve.title = label ?? 'opening ...'
       plan = present
       const count = present.steps.length
       fixed.disabled = count === 0

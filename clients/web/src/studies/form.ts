@@ -11,7 +11,7 @@ import studiesStyle from './studies.module.css'
 export function studyForm(start: (study: Asked) => void): JobForm {
   let name: StudyName = 'annulus'
   let step_mm = 1
-  const valve = h('strong', {}, 'opening ...')
+  const valve = h('strong', { class: parts.oneLine }, 'opening ...')
   const protocols = PROTOCOLS.map(([word, label]) => {
     const input = h('input', { type: 'checkbox', value: word, checked: DEFAULT_PROTOCOLS.includes(word) })
     return {
@@ -84,7 +84,7 @@ export function studyForm(start: (study: Asked) => void): JobForm {
 
   return {
     element,
-    show: (label) => (valve.textContent = label ?? 'opening ...'),
+    show: (label) => (valve.textContent = valve.title = label ?? 'opening ...'),
     complain(problems) {
       const at = (pointer: string) => problems.filter(({ path }) => `${path}/`.startsWith(`${pointer}/`))
       for (const [pointer, slot] of slots) slot.replaceChildren(...listOf(at(pointer)))
