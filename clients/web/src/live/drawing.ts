@@ -17,10 +17,11 @@ import {
   times,
   unit,
 } from '../viewer/geometry'
-import { leafletMaterial, Leaflets } from '../viewer/leaflets'
+import { Leaflets } from '../viewer/leaflets'
 import { Lines } from '../viewer/lines'
 import { PapillaryMuscles } from '../viewer/papillary'
 import { Ring } from '../viewer/ring'
+import { TissueMaterial } from '../viewer/tissue_material'
 import { clippingPlanes, type CutPlane, isLeft, nearSide } from '../viewer/cut_sight'
 import type { Stage } from '../viewer/stage'
 import type { LiveValve } from './client'
@@ -46,7 +47,7 @@ export class LiveDrawing {
   valve: LiveValve | null = null
   nodes: Float32Array = new Float32Array()
   cableLines: number[] = [] // six numbers a cable that is a chorda's; of ties NaN
-  private readonly material = leafletMaterial()
+  private readonly tissue = new TissueMaterial()
   private readonly ring = new Ring()
   private readonly muscles = new PapillaryMuscles()
   private readonly plane = new Mesh(
@@ -86,7 +87,7 @@ export class LiveDrawing {
     if (!hasRing) this.ring.set(null)
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
     this.leaflets?.dispose()
-    this.leaflets = new Leaflets(scene, this.material)
+    this.leaflets = new Leaflets(scene, this.tissue)
     this.stage.add(this.leaflets.mesh)
     this.plain = cornerColours(scene, 'leaflets', null, scene.rest_mm)
     this.isAbove = ''

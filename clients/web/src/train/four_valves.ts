@@ -4,7 +4,8 @@ import { h } from '../dom'
 import { cornerColours, rgb } from '../viewer/colours'
 import { at } from '../viewer/geometry'
 import { Labels } from '../viewer/labels'
-import { leafletMaterial, Leaflets } from '../viewer/leaflets'
+import { Leaflets } from '../viewer/leaflets'
+import { TissueMaterial } from '../viewer/tissue_material'
 import { namesAround } from '../viewer/marks'
 import { viewButtons } from '../valve/looks'
 import { Stage, type ViewName } from '../viewer/stage'
@@ -64,7 +65,7 @@ export class FourValves {
       const before = this.leaflets[i]
       if (before) stage.scene.remove(before.mesh)
       before?.dispose()
-      const leaflets = new Leaflets(scene, before?.mesh.material ?? leafletMaterial())
+      const leaflets = new Leaflets(scene, before?.mesh.material ?? new TissueMaterial())
       leaflets.move(Float32Array.from(closed_mm[i] ?? []))
       stage.add(leaflets.mesh)
       this.leaflets[i] = leaflets

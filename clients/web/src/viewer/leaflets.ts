@@ -1,22 +1,23 @@
 // The leaflets as a lit, thick surface: corners are not shared between faces, so that each segment has its own colour.
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from 'three'
+import { BufferAttribute, BufferGeometry, Mesh, type Plane } from 'three'
 import type { ValveShape } from '../api/types'
 import { toLinear } from './colours'
 import { boundaryEdges, vertexCount } from './geometry'
 import { outwards, type ThickSheet, thickSheet, vertexNormals } from './thick_sheet'
+import type { TissueMaterial } from './tissue_material'
 
 export class Leaflets {
-  readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>
+  readonly mesh: Mesh<BufferGeometry, TissueMaterial>
   private readonly sheet: ThickSheet
   private readonly edges: [number, number][]
   private readonly points: Float32Array
   private readonly normals: Float32Array
   private painted: Float32Array = new Float32Array()
 
-  /// `material`: leafletMaterial(), the same for all closures of a view.
+  /// `material`: the same for all closures of a view, else its program is compiled again.
   constructor(
     private readonly scene: ValveShape,
-    material: MeshLambertMaterial,
+    material: TissueMaterial,
   ) {
     this.sheet = thickSheet(scene)
     this.edges = boundaryEdges(scene.faces)
@@ -26,8 +27,16 @@ export class Leaflets {
     const geometry = new BufferGeometry()
     geometry.setAttribute('position', new BufferAttribute(this.points, 3))
     geometry.setAttribute('normal', new BufferAttribute(this.normals, 3))
+    geometry.setAttribute(
+      'atrial',
+      new BufferAttribute(
+        this.sheet.ups.map((up) => Math.max(up, 0)),
+        1,
+      ),
+    )
     geometry.setAttribute('color', new BufferAttribute(new Float32Array(size).fill(0.8), 3))
     this.mesh = new Mesh(geometry, material)
+    material.set(scene)
   }
 
   /// Of Scene.faces, that the drawn triangle belongs to.
@@ -79,10 +88,4 @@ export class Leaflets {
   dispose(): void {
     this.mesh.geometry.dispose()
   }
-}
-
-/// Drawn a little behind lines that lie on it.
-export function leafletMaterial(): MeshLambertMaterial {
-  const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }
-  return new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, ...offset })
 }

@@ -1,9 +1,10 @@
 // Papillary muscles below their tips, so that chordae are seen to fan out of them. They are a sign, as large in every valve:
 // tips are all that a valve holds of a muscle.
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, type Plane } from 'three'
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshPhongMaterial, type Plane } from 'three'
 import type { ValveShape, Vector } from '../api/types'
 import { TINTS } from './colours'
 import { cross, distance, minus, plus, times, tipsOf, unit } from './geometry'
+import { WET } from './tissue_material'
 
 const LENGTH_MM = 8 // from the middle of a muscle's tips to its end
 const RADIUS_MM = 2.8
@@ -15,7 +16,7 @@ const MOVED_MM = 0.05 // from where they are drawn anew
 export class PapillaryMuscles {
   readonly mesh = new Mesh(
     new BufferGeometry(),
-    new MeshLambertMaterial({ color: TINTS.papillary, side: DoubleSide }), // a cut shows the inner side
+    new MeshPhongMaterial({ color: TINTS.papillary, side: DoubleSide, ...WET }), // a cut shows the inner side
   )
   private drawn: Vector[] = []
 

@@ -9,7 +9,7 @@ import { Handles } from './handles'
 import { around, type Box, boxesOver } from './label_layout'
 import { type DrawnLabel, Labels, type Label } from './labels'
 import { leakLabels, LeakMeshes, openingLabels } from './leak'
-import { leafletMaterial, Leaflets } from './leaflets'
+import { Leaflets } from './leaflets'
 import { Lines } from './lines'
 import { heldIn, hours, namesOf } from './marks'
 import { Neighbours } from './neighbours'
@@ -18,6 +18,7 @@ import { reading, Readout } from './readout'
 import { PapillaryMuscles } from './papillary'
 import { Ring } from './ring'
 import { Stage, type ViewName } from './stage'
+import { TissueMaterial } from './tissue_material'
 import viewerStyle from './viewer.module.css'
 
 type Cut = Scene['sections'][number]
@@ -56,8 +57,7 @@ export class Viewer {
   private open: Opening | null = null // the same valve in diastole
   private nodes: Float32Array = new Float32Array()
   private leaflets: Leaflets | null = null
-  // Kept: a new one would have its program compiled again.
-  private readonly leafletMaterial = leafletMaterial()
+  private readonly tissue = new TissueMaterial()
   private readonly leak = new LeakMeshes()
   private pressed: [number, number] = [0, 0] // where on the screen
   private look: Look | null = null
@@ -121,7 +121,7 @@ export class Viewer {
     this.open = null
     this.leaflets?.dispose()
     if (this.leaflets) this.stage.scene.remove(this.leaflets.mesh)
-    this.leaflets = new Leaflets(scene, this.leafletMaterial)
+    this.leaflets = new Leaflets(scene, this.tissue)
     this.drawn = ''
     this.stage.add(this.leaflets.mesh)
     this.ring.set(ring ? scene : null, closedNodes(scene))
@@ -156,6 +156,7 @@ export class Viewer {
     leaflets.move(this.nodes)
     const mode = this.modeOf(look)
     leaflets.paint(cornerColours(scene, mode, look.scale, this.nodes))
+    this.tissue.wet(mode === 'leaflets' || mode === 'tension')
     this.drawChordae(scene, mode, look.scale)
     this.muscles.set(scene, this.nodes)
     this.lines.ties.set(tieLines(scene, this.nodes))
