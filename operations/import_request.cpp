@@ -2,18 +2,20 @@
 
 #include "core/valve/patient_frame.h"
 #include "core/valve/validate.h"
+#include "io/exchange/abaqus_valve.h"
 #include "io/exchange/decisions_json.h"
-#include "io/exchange/slicerheart.h"
-#include "io/image/detached.h"
 #include "io/json/fit_json.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/csv_table.h"
+#include "io/mesh/given_landmarks.h"
 #include "io/mesh/import_readers.h"
 #include "io/mesh/skirt.h"
 #include "io/mesh/source_units.h"
 #include "io/picture/fit_picture.h"
 #include "io/picture/text.h"
 #include "io/store/sha256.h"
+#include "operations/import_source.h"
+#include "operations/voxel_grid.h"
 
 namespace coapt {
 namespace {
@@ -57,7 +59,7 @@ LabelNumbers read_label_numbers(const JsonPlace& place) {
   return numbers;
 }
 
-GivenLandmarks read_landmarks(const JsonPlace& place) {
+GivenLandmarks read_placed(const JsonPlace& place) {
   GivenLandmarks seen;
   read_fields(
       place,
@@ -68,46 +70,29 @@ GivenLandmarks read_landmarks(const JsonPlace& place) {
   return seen;
 }
 
+/// Placed one by one, or a file of labelled points.
+void read_landmarks(const JsonPlace& place, ImportRequest& asked) {
+  if (place.value.is_object() && place.value.contains("name"))
+    asked.landmarks_file = read_file(place);
+  else
+    asked.landmarks = read_placed(place);
+}
+
+bool any_placed(GivenLandmarks landmarks) {
+  bool any = false;
+  for_each_given(landmarks, [&](const Vec3& place) {
+    any = true;
+    return place;
+  });
+  return any;
+}
+
 FitRequest read_fit_request(const JsonPlace& place) {
   FitRequest fit;
   std::vector<JsonField> fields = fit_fields(fit.target);
   fields.push_back({"surface", into(fit.surface, read_file), false});
   read_fields(place, fields);
   return fit;
-}
-
-/// With what a file of a folder is called in the message: its pointer is that of the list.
-Errors below_folder(Errors errors) {
-  for (Error& error : errors) {
-    if (error.path.starts_with("/landmarks")) continue;
-    if (!error.path.empty()) error.message = error.path + ": " + error.message;
-    error.path = "/slicerheart";
-  }
-  return errors;
-}
-
-/// As the request calls what the import calls by its unit.
-Errors as_import_calls(Errors errors) {
-  for (Error& error : errors) {
-    for (const std::string given : {"/annulus", "/tips"})
-      if (error.path.starts_with(given + "_mm")) error.path.erase(given.size(), 3);
-    if (error.path == "/tissue/thickness_mm") error.path = "/thickness_mm";
-    if (error.path.starts_with("/landmarks/") && error.path.ends_with("_mm"))
-      error.path.resize(error.path.size() - 3);
-  }
-  return errors;
-}
-
-/// A header with its voxels.
-Expected<std::optional<NamedFile>> whole_labels(const ImportRequest& asked) {
-  if (!asked.labels || !asked.voxels) return asked.labels;
-  const Expected<std::optional<std::string>> named = data_file_of(asked.labels->bytes);
-  if (!named) return Error{named.errors()[0].code, "/labels", named.errors()[0].message};
-  if (!*named)
-    return Error{ErrorCode::UnknownField, "/voxels",
-                 "is not allowed, because labels refers to no separate voxel file"};
-  return std::optional(
-      NamedFile{asked.labels->name, attached(asked.labels->bytes, asked.voxels->bytes)});
 }
 
 ImportDecision fit_decision(const ValveFit& fit) {
@@ -134,7 +119,8 @@ LengthUnit read_unit(const JsonPlace& place) {
 std::vector<JsonField> import_fields(ImportRequest& asked) {
   ImportOptions& options = asked.options;
   asked.reading.most_voxels = kMostVoxelsSent;
-  return {{"leaflets", into(asked.leaflets, read_named_files), false},
+  return {{"files", into(asked.files, read_named_files), false},
+          {"leaflets", into(asked.leaflets, read_named_files), false},
           {"labels", into(asked.labels, read_file), false},
           {"voxels", into(asked.voxels, read_file), false},
           {"label_numbers", into(asked.reading.labels, read_label_numbers), false},
@@ -144,7 +130,8 @@ std::vector<JsonField> import_fields(ImportRequest& asked) {
           {"chordae", into(asked.chordae, read_file), false},
           {"chordae_seed", into(options.chordae_seed, integer_in(0, 2147483647)), false},
           {"tips", into(asked.tips, read_file), false},
-          {"landmarks", into(asked.landmarks, read_landmarks), false},
+          {"landmarks", [&asked](const JsonPlace& place) { read_landmarks(place, asked); }, false},
+          {"grid", into(asked.reading.series, grid_in(kMostVoxelsSent)), false},
           {"closed", into(options.closed, read_boolean), false},
           {"hidden_mm", into(options.hidden_mm, number_in(0.0, 15.0)), false},
           {"slicerheart", into(asked.slicerheart, read_named_files), false},
@@ -177,9 +164,11 @@ Errors check_import(const ImportRequest& asked, const OperationLimits& limits) {
                  "is " + std::to_string(asked.options.triangles) + ", which takes " +
                      std::to_string(vertices) + " vertices; this service accepts at most " +
                      std::to_string(limits.vertices));
-  for (const auto& [given, path] : {std::pair(asked.leaflets.has_value(), "/leaflets"),
+  for (const auto& [given, path] : {std::pair(asked.files.has_value(), "/files"),
+                                    {asked.leaflets.has_value(), "/leaflets"},
                                     {asked.labels.has_value(), "/labels"},
-                                    {asked.annulus.has_value(), "/annulus"}})
+                                    {asked.annulus.has_value(), "/annulus"},
+                                    {asked.chordae.has_value(), "/chordae"}})
     if (given && asked.slicerheart)
       problems.add(ErrorCode::UnknownField, path, "cannot be given together with slicerheart");
   if (asked.options.thickness_mm && asked.options.thickness_measured)
@@ -188,23 +177,22 @@ Errors check_import(const ImportRequest& asked, const OperationLimits& limits) {
   if (asked.voxels && !asked.labels)
     problems.add(ErrorCode::UnknownField, "/voxels",
                  "requires labels, the header that refers to this voxel file");
-  if (!asked.leaflets && !asked.labels && !asked.slicerheart)
+  if (!asked.files && !asked.leaflets && !asked.labels && !asked.slicerheart)
     problems.add(ErrorCode::MissingField, "/leaflets",
-                 "is missing (alternatives: labels, a label map, or slicerheart)");
+                 "is missing (alternatives: labels, a label map; files, whose parts are detected; "
+                 "or slicerheart)");
   const bool drawn = asked.options.chordae_seed.has_value();
-  if (asked.chordae && asked.slicerheart)
-    problems.add(ErrorCode::UnknownField, "/chordae", "cannot be given together with slicerheart");
+  const bool may_lack_chordae = asked.files || asked.labels || asked.slicerheart;
   if (asked.chordae && drawn)
     problems.add(ErrorCode::UnknownField, "/chordae_seed",
                  "cannot be given together with chordae, because it synthesises chordae");
-  if (!asked.chordae && !drawn && !asked.slicerheart)
-    problems.add(
-        ErrorCode::MissingField, "/chordae",
-        "is missing (alternatives: chordae_seed, which synthesises chordae, or slicerheart)");
+  if (!asked.chordae && !drawn && !may_lack_chordae)
+    problems.add(ErrorCode::MissingField, "/chordae",
+                 "is missing (alternative: chordae_seed, which synthesises chordae)");
   if (asked.tips && asked.slicerheart)
     problems.add(ErrorCode::UnknownField, "/tips",
                  "cannot be given together with slicerheart, whose files include them");
-  else if (asked.tips && !drawn)
+  else if (asked.tips && asked.chordae)
     problems.add(ErrorCode::UnknownField, "/tips",
                  "requires chordae_seed, because imaged chordae already begin at their tips");
   if (asked.leaflets && (asked.leaflets->empty() || asked.leaflets->size() > 2))
@@ -219,30 +207,65 @@ Errors check_import(const ImportRequest& asked, const OperationLimits& limits) {
   return std::move(problems).take();
 }
 
-Expected<ImportedValve> make_import(const ImportRequest& asked, const ClosureBudget& budget) {
-  const Expected<std::optional<NamedFile>> labels = whole_labels(asked);
-  if (!labels) return labels.errors();
-  Expected<ImportSource> source =
-      asked.slicerheart ? read_slicerheart(*asked.slicerheart)
-                        : read_import_files({asked.leaflets.value_or(std::vector<NamedFile>{}),
-                                             asked.annulus, asked.chordae, asked.tips, *labels},
-                                            asked.reading);
-  if (!source) return asked.slicerheart ? below_folder(source.errors()) : source.errors();
-  source->name = asked.name;
-  source->provenance.insert(source->provenance.begin(), asked.provenance.begin(),
-                            asked.provenance.end());
-  source->landmarks = asked.landmarks;
+namespace {
+
+/// Of any number of leaflets; what an import decides of a mitral valve is not asked.
+Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest& asked) {
+  if (!asked.observed.empty())
+    return Error{ErrorCode::Unsupported, "/observed",
+                 "applies to mitral valves and cannot be given with a finite element model"};
+  if (asked.fit)
+    return Error{ErrorCode::Unsupported, "/fit",
+                 "requires a mitral valve, not a finite element model"};
+  Expected<Valve> valve = read_abaqus_valve(file.bytes, {asked.name, asked.provenance});
+  if (!valve) {
+    Errors errors = valve.errors();
+    for (Error& error : errors) error.path.insert(0, "/files/0");
+    return errors;
+  }
+  ImportedValve imported;
+  imported.valve = *std::move(valve);
+  imported.decisions.push_back(
+      {"files",
+       "a finite element model: " + counted(std::ssize(imported.valve.leaflets), "leaflet") + ", " +
+           counted(std::ssize(imported.valve.chordae), "chorda", "chordae"),
+       "its shells are the leaflets, its trusses the chordae"});
+  return imported;
+}
+
+}  // namespace
+
+Expected<ImportedValve> make_import(ImportRequest asked, const ClosureBudget& budget) {
+  if (asked.files) {
+    const Expected<std::optional<NamedFile>> model = model_among(*asked.files);
+    if (!model) return model.errors();
+    if (*model) return import_model(**model, asked);
+  }
+  const GivenLandmarks landmarks = asked.landmarks;
+  const std::vector<Observation> observed = asked.observed;
   ImportOptions options = asked.options;
   options.budget = budget;
-  Expected<ImportedValve> done = import_with_decisions(*std::move(source), options);
-  if (done) {
-    if (asked.observed.empty()) return done;
-    for (const Observation& seen : asked.observed) observe(done->valve.observed, seen);
-    if (Errors errors = validate(done->valve); !errors.empty()) return errors;
-    return done;
-  }
-  Errors errors = as_import_calls(done.errors());
-  return asked.slicerheart ? below_folder(std::move(errors)) : errors;
+  // Where what was seen holds no chordae, they are drawn.
+  const bool draws = asked.files || asked.labels;
+  const int seed = asked.seed;
+  std::string name = std::move(asked.name);
+  std::vector<std::string> provenance = std::move(asked.provenance);
+  RequestedSource requested;
+  Expected<ImportSource> source = requested.read(std::move(asked));
+  if (!source) return source.errors();
+  source->name = std::move(name);
+  source->provenance.insert(source->provenance.begin(), provenance.begin(), provenance.end());
+  if (any_placed(landmarks)) source->landmarks = landmarks;
+  if (draws && options.chordae_seed && !source->chordae.empty())
+    return Error{ErrorCode::UnknownField, "/chordae_seed",
+                 "cannot be given together with chordae, because it synthesises chordae"};
+  if (draws && source->chordae.empty() && !options.chordae_seed) options.chordae_seed = seed;
+  Expected<ImportedValve> made = import_with_decisions(*std::move(source), options);
+  if (!made) return requested.as_requested(made.errors());
+  if (observed.empty()) return made;
+  for (const Observation& seen : observed) observe(made->valve.observed, seen);
+  if (Errors errors = validate(made->valve); !errors.empty()) return errors;
+  return made;
 }
 
 Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported) {

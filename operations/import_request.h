@@ -20,15 +20,19 @@ struct FitRequest {
 };
 
 struct ImportRequest {
+  std::optional<std::vector<NamedFile>>
+      files;  ///< whose parts are detected; a folder of SlicerHeart; or a finite element model alone
   std::optional<std::vector<NamedFile>> leaflets, slicerheart;
   std::optional<NamedFile> annulus, chordae, tips, labels,
       voxels;  ///< of labels that are a header alone
   ImportReading reading;
   GivenLandmarks landmarks;
+  std::optional<NamedFile> landmarks_file;
   std::vector<Observation> observed;
   std::string name = "imported";
   std::vector<std::string> provenance;
   ImportOptions options;
+  int seed = 1;  ///< of chordae where files or a label map have none
   std::optional<FitRequest> fit;
 };
 
@@ -42,7 +46,7 @@ JsonField fit_field(ImportRequest& request);
 Errors check_import(const ImportRequest& request, const OperationLimits& limits);
 
 /// Pointers of errors are those of the request; Busy if the budget was cancelled. @pre check_import() is empty.
-Expected<ImportedValve> make_import(const ImportRequest& request, const ClosureBudget& budget);
+Expected<ImportedValve> make_import(ImportRequest request, const ClosureBudget& budget);
 
 /// The measured surface of request.fit in the valve's frame. Errors: "/fit/surface". @pre request.fit
 Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported);

@@ -74,7 +74,9 @@ int take_folders(ImportInputs& inputs, std::vector<ImportDecision>& decisions) {
   }
   std::erase_if(inputs.bare, is_folder);
   inputs.bare.insert(inputs.bare.end(), inside.begin(), inside.end());
-  if (!inputs.slicerheart.empty() && !inputs.bare.empty())
+  const bool others = !inputs.bare.empty() || !inputs.leaflets.empty() || !inputs.labels.empty() ||
+                      !inputs.annulus.empty() || !inputs.tips.empty();
+  if (!inputs.slicerheart.empty() && others)
     return refuse("a SlicerHeart folder cannot be combined with other files");
   return exit_code::kOk;
 }
@@ -89,34 +91,22 @@ int read_file(const std::string& path, const std::string& pointer, std::optional
   return exit_code::kOk;
 }
 
-int read_bare(std::vector<std::string> paths, ImportFiles& files, ImportPlaces& places,
-              std::vector<ImportDecision>& decisions) {
-  std::vector<NamedFile> read;
+/// With what they refer to.
+int read_bare(std::vector<std::string> paths, std::vector<NamedFile>& files, ImportPlaces& places) {
   const std::size_t given = paths.size();
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const fs::path path = paths[i];
     Expected<NamedFile> source = read_import_file(path, i >= given);
     if (!source) return report_errors(path, source.errors());
-    read.push_back(*std::move(source));
-    const Expected<std::vector<std::string>> companions = companions_of(read.back());
+    files.push_back(*std::move(source));
+    places.emplace_back("/files/" + std::to_string(i), path);
+    const Expected<std::vector<std::string>> companions = companions_of(files.back());
     if (!companions) return report_errors(path, companions.errors());
     for (const std::string& name : *companions)
       if (const std::string beside = path.parent_path() / name;
           std::find(paths.begin(), paths.end(), beside) == paths.end())
         paths.push_back(beside);
   }
-  Expected<SortedFiles> sorted = sorted_files(std::move(read));
-  if (!sorted) {
-    for (const Error& error : sorted.errors()) {
-      const auto file = to_integer(error.path.substr(error.path.rfind('/') + 1));
-      report_errors(file ? paths[static_cast<std::size_t>(*file)] : "valve import",
-                    {{error.code, "", error.message}});
-    }
-    return exit_code::kBadInput;
-  }
-  files = std::move(sorted->files);
-  decisions.insert(decisions.end(), sorted->decisions.begin(), sorted->decisions.end());
-  for (const auto& [pointer, file] : sorted->places) places.emplace_back(pointer, paths[file]);
   return exit_code::kOk;
 }
 
@@ -132,22 +122,24 @@ int attach_voxels(const std::string& path, NamedFile& map) {
   return exit_code::kOk;
 }
 
-int read_named(const ImportInputs& inputs, bool draws_chordae, ImportFiles& files,
+int read_named(const ImportInputs& inputs, bool draws_chordae, ImportRequest& request,
                ImportPlaces& places) {
   for (const std::string& path : inputs.leaflets) {
+    if (!request.leaflets) request.leaflets.emplace();
     std::optional<NamedFile> file;
-    const std::string pointer = "/leaflets/" + std::to_string(files.leaflets.size());
+    const std::string pointer = "/leaflets/" + std::to_string(request.leaflets->size());
     if (const int failed = read_file(path, pointer, file, places)) return failed;
-    files.leaflets.push_back(*std::move(file));
+    request.leaflets->push_back(*std::move(file));
   }
   const std::string chordae = draws_chordae ? "" : inputs.chordae;
-  for (const auto& [path, pointer, file] : {std::tuple(inputs.annulus, "/annulus", &files.annulus),
-                                            {chordae, "/chordae", &files.chordae},
-                                            {inputs.tips, "/tips", &files.tips},
-                                            {inputs.landmarks, "/landmarks", &files.landmarks},
-                                            {inputs.labels, "/labels", &files.labels}})
+  for (const auto& [path, pointer, file] :
+       {std::tuple(inputs.annulus, "/annulus", &request.annulus),
+        {chordae, "/chordae", &request.chordae},
+        {inputs.tips, "/tips", &request.tips},
+        {inputs.landmarks, "/landmarks", &request.landmarks_file},
+        {inputs.labels, "/labels", &request.labels}})
     if (const int failed = read_file(path, pointer, *file, places)) return failed;
-  return inputs.labels.empty() ? exit_code::kOk : attach_voxels(inputs.labels, *files.labels);
+  return inputs.labels.empty() ? exit_code::kOk : attach_voxels(inputs.labels, *request.labels);
 }
 
 int read_label_numbers(const std::vector<std::string>& words, LabelNumbers& numbers) {
@@ -175,21 +167,6 @@ int read_series(const std::string& folder, std::optional<ImageGeometry>& series)
   Expected<ImageGeometry> read = read_series_geometry(*files);
   if (!read) return report_errors(folder, read.errors());
   series = *std::move(read);
-  return exit_code::kOk;
-}
-
-/// Those of --landmarks to a folder, which has none of its own.
-int add_landmarks(const ImportInputs& inputs, ImportSource& source, ImportPlaces& places) {
-  ImportFiles files;
-  if (const int failed = read_file(inputs.landmarks, "/landmarks", files.landmarks, places))
-    return failed;
-  if (!files.landmarks) return exit_code::kOk;
-  ImportReading reading;
-  reading.axes = inputs.axes;
-  const Expected<ImportSource> read = read_import_files(files, reading);
-  if (!read) return report_import_errors(read.errors(), places);
-  source.landmarks = read->landmarks;
-  source.decisions.insert(source.decisions.end(), read->decisions.begin(), read->decisions.end());
   return exit_code::kOk;
 }
 
@@ -261,8 +238,6 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
     if (before + 1 == kMostAlike && count[kind] > kMostAlike)
       error.message +=
           " (and " + std::to_string(count[kind] - kMostAlike) + " more of the same kind)";
-    for (const std::string list : {"/annulus", "/tips"})
-      if (error.path.starts_with(list + "_mm")) error.path.erase(list.size(), 3);
     std::string source = "valve import";
     bool of_file = false;
     for (const auto& [pointer, path] : places) {
@@ -271,66 +246,46 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
       of_file = true;
       if (pointer != "/chordae" && pointer != "/tips") error.path.erase(0, pointer.size());
     }
-    // Leaflets and annulus of one file are its parts.
-    if (!of_file && places.size() == 1 &&
-        (error.path.starts_with("/leaflets") || error.path.starts_with("/annulus"))) {
-      source = places[0].second;
-      error.path.clear();
-    }
     if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "/label");
-    if (of_file || source != "valve import")
+    if (of_file)
       report_errors(source, {error});
     else
       report_option_errors("valve import", {error},
                            {{"/leaflets", "--leaflet"},
+                            {"/chordae_seed", "--chordae synthesise"},
                             {"/thickness_measured", "--thickness"},
-                            {"/tissue/thickness_mm", "--thickness"}});
+                            {"/thickness_mm", "--thickness"}});
   }
   return exit_code::kBadInput;
 }
 
 ReadInputs read_import_inputs(ImportInputs inputs, bool draws_chordae) {
   ReadInputs read;
-  ImportFiles files;
-  ImportReading reading;
-  ImportPlaces places;
-  std::vector<ImportDecision> decisions;
-  if ((read.failed = take_folders(inputs, decisions))) return read;
+  ImportRequest& request = read.request;
+  ImportReading& reading = request.reading;
+  if ((read.failed = take_folders(inputs, read.decisions))) return read;
   if (!inputs.slicerheart.empty()) {
     Expected<std::vector<NamedFile>> folder = read_folder(inputs.slicerheart);
-    Expected<ImportSource> source =
-        folder ? read_slicerheart(*folder) : Expected<ImportSource>(folder.errors());
-    if (!source) read.failed = report_errors(inputs.slicerheart, source.errors());
-    if (!source || (read.failed = add_landmarks(inputs, *source, read.places))) return read;
-    read.source = *std::move(source);
-    return read;
+    if (!folder) read.failed = report_errors(inputs.slicerheart, folder.errors());
+    if (!folder) return read;
+    request.slicerheart = *std::move(folder);
+    read.places.emplace_back("/slicerheart", inputs.slicerheart);
   }
-  if (!inputs.bare.empty() && (read.failed = read_bare(inputs.bare, files, places, decisions)))
+  if (!inputs.abaqus.empty()) {
+    std::optional<NamedFile> model;
+    if ((read.failed = read_file(inputs.abaqus, "/files/0", model, read.places))) return read;
+    request.files = {{"model.inp", std::move(model->bytes)}};
+  }
+  if (!inputs.bare.empty() &&
+      (read.failed = read_bare(inputs.bare, request.files.emplace(), read.places)))
     return read;
-  if ((read.failed = read_named(inputs, draws_chordae, files, places))) return read;
+  if ((read.failed = read_named(inputs, draws_chordae, request, read.places))) return read;
   if ((read.failed = read_label_numbers(inputs.label_numbers, reading.labels))) return read;
   if ((read.failed = read_series(inputs.series, reading.series))) return read;
-  if (!inputs.series.empty()) places.emplace_back("/series", inputs.series);
-  if (!inputs.label_numbers.empty() && !files.labels && files.leaflets.size() != 1)
-    read.failed = refuse("--label requires a label map (--labels) or one file with several parts");
-  else if (files.leaflets.empty() && !files.labels && inputs.series.empty())
-    read.failed = refuse("--leaflet is required (or --labels, --slicerheart, or bare files)");
-  if (read.failed) return read;
-  if (draws_chordae && files.chordae) {
-    read.failed = refuse("--chordae synthesise cannot be given together with chordae");
-    return read;
-  }
+  if (!inputs.series.empty()) read.places.emplace_back("/grid", inputs.series);
   reading.axes = inputs.axes;
   reading.most_unpacked = kMostUnpacked;
   reading.phase = inputs.phase;
-  Expected<ImportSource> source = read_import_files(files, reading);
-  if (!source) {
-    read.failed = report_import_errors(source.errors(), places);
-    return read;
-  }
-  read.source = *std::move(source);
-  read.places = std::move(places);
-  read.source.decisions.insert(read.source.decisions.begin(), decisions.begin(), decisions.end());
   return read;
 }
 

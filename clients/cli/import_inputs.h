@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/exchange/import_files.h"
+#include "operations/import_request.h"
 
 namespace coapt {
 
@@ -12,19 +12,20 @@ struct ImportInputs {
   std::vector<std::string>
       bare;  ///< files whose part is guessed, a folder of such, of SlicerHeart, or of a DICOM series
   std::vector<std::string> leaflets;
-  std::string annulus, chordae, tips, landmarks, labels, slicerheart, series;
+  std::string annulus, chordae, tips, landmarks, labels, slicerheart, series, abaqus;
   std::vector<std::string> label_numbers;  ///< "anterior=1"
   std::optional<PatientAxes> axes;
   int phase = 0;  ///< of a label map of several, from 1; 0: the first that has labels
 };
 
-/// Where a part came from, for messages: a pointer into ImportFiles and the path of the file.
+/// Where a part came from, for messages: a pointer into the request and the path of the file.
 using ImportPlaces = std::vector<std::pair<std::string, std::string>>;
 
 struct ReadInputs {
   int failed = 0;  ///< an exit code; what is wrong was said on standard error
-  ImportSource source;
+  ImportRequest request;
   ImportPlaces places;
+  std::vector<ImportDecision> decisions;  ///< on what of folders is used
 };
 
 /// The files of a folder but hidden ones, in the order of their names. Errors have no path.

@@ -21,8 +21,6 @@
 #include "io/command_line/interrupt.h"
 #include "io/command_line/progress_bar.h"
 #include "io/exchange/decisions_json.h"
-#include "io/exchange/file_roles.h"
-#include "io/exchange/slicerheart.h"
 #include "io/json/parse_json.h"
 #include "io/json/subject.h"
 #include "io/json/valve_json.h"
@@ -78,24 +76,13 @@ Json refusal(const Errors& errors) {
           {"reason", errors[0].path + (errors[0].path.empty() ? "" : ": ") + errors[0].message}};
 }
 
-Expected<ImportSource> source_of(std::vector<NamedFile> files) {
-  std::vector<std::string> names;
-  for (const NamedFile& file : files) names.push_back(file.name);
-  if (is_slicerheart_folder(names)) return read_slicerheart(files);
-  Expected<SortedFiles> sorted = sorted_files(std::move(files));
-  if (!sorted) return sorted.errors();
-  ImportReading reading;
-  reading.most_unpacked = kMostUnpacked;
-  return read_import_files(sorted->files, reading);
-}
-
 Expected<ImportedValve> imported(std::vector<NamedFile> files, const std::string& name, int seed) {
-  Expected<ImportSource> source = source_of(std::move(files));
-  if (!source) return source.errors();
-  source->name = name;
-  ImportOptions options;
-  if (source->chordae.empty()) options.chordae_seed = seed;
-  return import_with_decisions(*std::move(source), options);
+  ImportRequest request;
+  request.files = std::move(files);
+  request.reading.most_unpacked = kMostUnpacked;
+  request.name = name;
+  request.seed = seed;
+  return make_import(std::move(request), {});
 }
 
 /// How far the import goes. Its valve and picture are written below `directory`.

@@ -11,20 +11,18 @@
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
-#include "io/exchange/abaqus_valve.h"
 #include "io/exchange/decisions_json.h"
-#include "io/exchange/import_files.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/imaged_state.h"
 #include "io/mesh/text_scan.h"
 #include "io/picture/import_picture.h"
+#include "operations/import_request.h"
 
 namespace coapt {
 namespace {
 
 struct ValveImportArguments {
   ImportInputs inputs;
-  std::string abaqus;
   PatientAxes axes = PatientAxes::LPS;  // if given
   int seed = 1;
   LengthUnit units = LengthUnit::Millimetre;  // if given
@@ -40,14 +38,6 @@ struct ValveImportArguments {
 };
 
 constexpr const char* kSynthesise = "synthesise";
-
-int run_abaqus(const ValveImportArguments& arguments) {
-  const Expected<std::string> text = read_input(arguments.abaqus);
-  if (!text) return report_errors(arguments.abaqus, text.errors());
-  const Expected<Valve> valve = read_abaqus_valve(*text, {arguments.name, arguments.provenance});
-  if (!valve) return report_errors(arguments.abaqus, valve.errors());
-  return write_output(arguments.output, write_valve(*valve));
-}
 
 /// Whether it is a number or the word measured.
 bool take_thickness(const std::string& text, ImportOptions& options) {
@@ -66,7 +56,7 @@ std::string misused(const ValveImportArguments& arguments) {
   if (!inputs.chordae.empty() && !synthesises && !inputs.tips.empty())
     return "--tips requires --chordae synthesise, because imaged chordae already begin at their "
            "tips";
-  if (!inputs.bare.empty() || !inputs.slicerheart.empty()) return "";
+  if (!inputs.bare.empty() || !inputs.slicerheart.empty() || !inputs.abaqus.empty()) return "";
   const bool leaflets = !inputs.leaflets.empty() || !inputs.labels.empty();
   if (!leaflets) return "--leaflet is required (or --labels, --slicerheart, or bare files)";
   if (inputs.chordae.empty() && inputs.labels.empty())
@@ -103,13 +93,20 @@ std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments
   return unused;
 }
 
+/// What was read, with the options of the import.
+ReadInputs read_request(const ValveImportArguments& arguments) {
+  const bool synthesises = arguments.inputs.chordae == kSynthesise;
+  ReadInputs read = read_import_inputs(arguments.inputs, synthesises);
+  if (read.failed != exit_code::kOk) return read;
+  read.request.options = arguments.options;
+  read.request.seed = arguments.seed;
+  if (synthesises) read.request.options.chordae_seed = arguments.seed;
+  read.request.name = arguments.name;
+  read.request.provenance = arguments.provenance;
+  return read;
+}
+
 int run(ValveImportArguments& arguments) {
-  if (!arguments.abaqus.empty() && any_observed(arguments.observed)) {
-    std::cerr << "coapt: valve import: observations (--leak, ...) apply to mitral valves and "
-                 "cannot be used with --abaqus\n";
-    return exit_code::kBadInput;
-  }
-  if (!arguments.abaqus.empty()) return run_abaqus(arguments);
   if (const int failed = check_output(arguments.picture)) return failed;
   if (const std::string why = misused(arguments); !why.empty()) {
     std::cerr << "coapt: valve import: " << printable(why) << '\n';
@@ -117,24 +114,16 @@ int run(ValveImportArguments& arguments) {
   }
   if (const Errors errors = check_observed(arguments.observed); !errors.empty())
     return report_errors("valve import", errors);
-  const bool synthesises = arguments.inputs.chordae == kSynthesise;
-  ReadInputs read = read_import_inputs(arguments.inputs, synthesises);
+  ReadInputs read = read_request(arguments);
   if (read.failed != exit_code::kOk) return read.failed;
-  ImportSource& source = read.source;
-  const std::string folder = arguments.inputs.slicerheart;
-  // Bare files and label maps hold what was seen; where that is no chordae, they are drawn.
-  const bool named =
-      !folder.empty() || (arguments.inputs.bare.empty() && arguments.inputs.labels.empty());
-  if (synthesises || (!named && source.chordae.empty()))
-    arguments.options.chordae_seed = arguments.seed;
-  source.name = arguments.name;
-  source.provenance.insert(source.provenance.begin(), arguments.provenance.begin(),
-                           arguments.provenance.end());
-  Expected<ImportedValve> valve = import_with_decisions(source, arguments.options);
-  if (!valve) {
-    if (!folder.empty() && read.places.empty()) return report_errors(folder, valve.errors());
-    return report_import_errors(valve.errors(), read.places);
-  }
+  Expected<ImportedValve> valve = make_import(std::move(read.request), {});
+  if (!valve) return report_import_errors(valve.errors(), read.places);
+  if (!is_mitral(valve->valve) && (any_observed(arguments.observed) || !arguments.picture.empty()))
+    return report_errors("valve import",
+                         {Error{ErrorCode::Unsupported, "",
+                                "observations (--leak, ...) and --render require a mitral valve, "
+                                "not a finite element model"}});
+  valve->decisions.insert(valve->decisions.begin(), read.decisions.begin(), read.decisions.end());
   take_observed(arguments.observed, valve->valve);
   const auto unused = unused_options(arguments, valve->input.closed);
   valve->decisions.insert(valve->decisions.end(), unused.begin(), unused.end());
@@ -160,10 +149,11 @@ void add_valve_import(Command parent, int& status) {
   Command command = parent.add_command(
       "import", "Make a valve from label maps, or from leaflet meshes, annulus and chordae");
   ImportInputs& inputs = arguments->inputs;
-  command.add_option("files", inputs.bare,
-                     "Files whose role is detected from name and content (reported by --json): a "
-                     "label map (.nrrd, .nii, .nii.gz), meshes, markups, tables; or a folder of "
-                     "these, of SlicerHeart or of a DICOM series");
+  command.add_option(
+      "files", inputs.bare,
+      "Files whose role is detected from name and content (reported by --json): a "
+      "label map (.nrrd, .nii, .nii.gz), meshes, markups, tables; a folder of these, "
+      "of SlicerHeart or of a DICOM series; or an Abaqus model (.inp)");
   command
       .add_option(
           "--leaflet", inputs.leaflets,
@@ -214,7 +204,7 @@ void add_valve_import(Command parent, int& status) {
       .excludes("--labels")
       .excludes("--annulus");
   command
-      .add_option("--abaqus", arguments->abaqus,
+      .add_option("--abaqus", inputs.abaqus,
                   "Import an Abaqus .inp file (shells and trusses, any number of leaflets) instead")
       .excludes("files")
       .excludes("--leaflet")

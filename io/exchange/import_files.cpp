@@ -366,7 +366,7 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
     take_labels(files, reading, source, problems);
   else if (reading.series)
     problems.add(ErrorCode::MissingField, "/labels",
-                 "is missing: --series applies only to a label map");
+                 "is missing: the geometry of a series of images applies only to a label map");
   if (files.annulus) take_annulus(*files.annulus, axes, source, problems);
   if (files.annulus && problems.empty() &&
       std::any_of(files.leaflets.begin(), files.leaflets.end(),

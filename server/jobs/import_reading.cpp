@@ -177,6 +177,11 @@ std::optional<Answer> valve_of(ImportStep step, const Json& body, const ServiceL
   const Expected<ImportedValve> made = make_import(asked, budget);
   if (!made && budget.is_cancelled()) return std::nullopt;
   if (!made) return problem(422, made.errors());
+  if (!is_mitral(made->valve))
+    return problem(422, {Error{ErrorCode::Unsupported, "/files/0",
+                               "is a finite element model, and this service stores only mitral "
+                               "valves; import it with coapt valve import, whose result can be "
+                               "closed by POST /v1/closures"}});
   if (!was_taken)
     if (const Errors errors = check_size(made->valve, operation_limits(limits)); !errors.empty())
       return problem(422, errors);

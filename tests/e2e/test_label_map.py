@@ -177,7 +177,7 @@ class LabelMaps(ProgramTest):
         self.assertIn("has no DICOM image", self.refused(image, "--series", SHEETS))
         self.assertIn("has an unknown role", self.refused(SOURCE / "README.md"))
         self.assertIn(
-            "--series applies only to a label map",
+            "--labels: is missing: the geometry of a series of images applies only to a label map",
             self.refused(
                 "--leaflet",
                 SHEETS / "anterior_leaflet_sheet.obj",
@@ -189,6 +189,21 @@ class LabelMaps(ProgramTest):
                 "synthesise",
             ),
         )
+
+    def test_a_slicerheart_folder_goes_with_no_other_part(self):
+        self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/open/")
+        annulus = ("--annulus", SHEETS / "annulus_centerline.csv")
+        self.assertIn("cannot be combined with other files", self.refused(self.folder / "open", *annulus))
+
+    def test_a_table_beside_named_leaflets_leaves_them_as_they_are(self):
+        leaflets = [SHEETS / f"{name}_leaflet_sheet.obj" for name in ("anterior", "posterior")]
+        annulus = SHEETS / "annulus_centerline.csv"
+        valves = []
+        for given in ([annulus, "--leaflet", *leaflets], ["--leaflet", *leaflets, "--annulus", annulus]):
+            valve = self.folder / "valve.json"
+            self.run_ok("valve", "import", *given, "--chordae", "synthesise", "-o", valve)
+            valves.append(json.loads(valve.read_text())["vertices_mm"])
+        self.assertEqual(*valves)
 
     def test_what_a_person_should_check_is_said_with_and_without_json(self):
         (self.folder / "bare.nrrd").write_bytes(hanging_labels(2, 1))

@@ -125,6 +125,22 @@ class Imports(ClientTest):
         stored = self.client.import_slicerheart(self.folder / "exported", name="from a folder", triangles=300)
         self.assertEqual((stored.name, stored.triangles < 400), ("from a folder", True))
 
+    def test_parts_of_files_are_detected(self):
+        skirt, annulus, chordae = self.files()
+        named = self.client.import_valve([skirt], annulus, chordae, triangles=100)
+        detected = self.client.import_files([annulus, chordae, skirt], triangles=100)
+        self.assertEqual(detected.triangles, named.triangles)
+        self.assertEqual(detected.decisions[0].value, "file 1 of 3 (.csv) is the annulus")
+        folder = self.folder / "one"
+        folder.mkdir()
+        (folder / "notes.md").write_text("not a part")
+        for file in (skirt, annulus, chordae):
+            (folder / file.name).write_bytes(file.read_bytes())
+        job = self.client.import_job(files=folder, triangles=100)
+        self.assertEqual(job.result().chordae, named.chordae)
+        paths = self.problems(coapt.InvalidRequest, self.client.import_files, [annulus, annulus, skirt])
+        self.assertEqual([path for path, _ in paths], ["/files/1"])
+
     def test_chordae_that_were_not_seen_are_drawn(self):
         valve = self.folder / "valve.json"
         valve.write_text(json.dumps(self.client.get_valve("human-normal")))

@@ -12,9 +12,10 @@ from .errors import NoSuchFile
 from .files import read_bounded
 from .geometry import packed_geometry
 
-_BINARY = (".ply", ".stl", ".glb", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".bz2", ".mha")  # may be
+_BINARY = (".raw", ".zraw", ".bin", ".ply", ".stl", ".glb", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".bz2", ".mha")  # may be
 _MOST_MIB = 1040  # 2^27 voxels of 8 bytes, and a header
-_OF_A_FOLDER = (".vtk", ".csv", ".json")  # what SlicerHeart and coapt write there
+_TEXTS = (".obj", ".csv", ".tsv", ".txt", ".fcsv", ".json", ".gltf", ".vtm", ".nhdr", ".mhd")
+_OF_A_FOLDER = (*_BINARY, *_TEXTS)
 
 
 def packed(path: str | os.PathLike[str] | Any, name: str = "surface") -> dict[str, Any]:
@@ -35,13 +36,27 @@ def packed(path: str | os.PathLike[str] | Any, name: str = "surface") -> dict[st
 
 
 def packed_folder(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """
+    """Those of its files that a valve can be made of.
+
     :raises NoSuchFile: it is no folder
     """
     folder = pathlib.Path(path)
     if not folder.is_dir():
         raise NoSuchFile(f"{path}: is no folder")
-    return [packed(file) for file in sorted(folder.iterdir()) if file.suffix.lower() in _OF_A_FOLDER]
+    files = (file for file in sorted(folder.iterdir()) if not file.name.startswith("."))
+    return [packed(file) for file in files if file.is_file() and file.suffix.lower() in _OF_A_FOLDER]
+
+
+def packed_files(
+    files: Iterable[str | os.PathLike[str] | Any] | str | os.PathLike[str],
+) -> list[dict[str, Any]]:
+    """Files, folders of them, or what packed_geometry() takes."""
+    given = [files] if isinstance(files, str | os.PathLike) else list(files)
+    packs: list[dict[str, Any]] = []
+    for i, one in enumerate(given, 1):
+        is_folder = isinstance(one, str | os.PathLike) and pathlib.Path(one).is_dir()
+        packs += packed_folder(one) if is_folder else [packed(one, f"file-{i}")]
+    return packs
 
 
 def files_to_import(

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from .asking import checked_threads, given, search_rules
 from .files import Path
 from .fits import Fit, FitResult, ImportResult, Known, fit_target
-from .imports import files_to_import, packed, packed_folder
+from .imports import files_to_import, packed, packed_files, packed_folder
 from .jobs import Job
 from .results import SearchResult, StudyResult
 from .short_work import repair_of
@@ -156,6 +156,7 @@ class Service(StoredWork):
         annulus: Path | Any | None = None,
         chordae: Path | int | None = None,
         *,
+        files: Iterable[Path | Any] | Path | None = None,
         slicerheart: Path | None = None,
         tips: Path | Any | None = None,
         fit: Fit | None = None,
@@ -173,20 +174,23 @@ class Service(StoredWork):
         >>> client.close(result.valve).valve
         'chordae drawn by seed'
 
-        :param slicerheart: a folder, instead of leaflets, annulus and chordae
+        :param files: as import_files(), instead of leaflets, annulus and chordae
+        :param slicerheart: a folder, likewise
         :param chordae: CSV or JSON, or a seed; of a folder a seed alone, where it has none
         :param fit: None: the valve is not fitted
         :param options: as import_valve(), and landmarks: a mapping of "anterolateral_commissure",
             "posteromedial_commissure", "saddle_peak" and "mid_posterior" to x, y, z in the files' coordinates
         :raises Refused: what is wrong with which file, at once
         """
-        if slicerheart is not None:
-            files = {"slicerheart": packed_folder(slicerheart)} | given(chordae_seed=chordae)
+        if files is not None:
+            parts: dict[str, Any] = {"files": packed_files(files)} | given(chordae_seed=chordae)
+        elif slicerheart is not None:
+            parts = {"slicerheart": packed_folder(slicerheart)} | given(chordae_seed=chordae)
         elif (isinstance(leaflets, tuple) and not leaflets) or chordae is None:
-            raise TypeError("import_job() takes leaflets and chordae, or slicerheart")
+            raise TypeError("import_job() takes files, or leaflets and chordae, or slicerheart")
         else:
-            files = files_to_import(leaflets, annulus, chordae, tips)
-        request = files | options | {"name": name} | given(fit=None if fit is None else fit.to_json())
+            parts = files_to_import(leaflets, annulus, chordae, tips)
+        request = parts | options | {"name": name} | given(fit=None if fit is None else fit.to_json())
         key = {"Idempotency-Key": idempotency_key or uuid.uuid4().hex}
         json = self._transport.request("POST", "/v1/imports", request, key).json()
         return Job(self._transport, json, ImportResult.from_json, self._patience_s)

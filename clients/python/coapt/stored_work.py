@@ -10,7 +10,7 @@ from .asking import given
 from .closures import known_fields
 from .errors import NotFound, Problem
 from .files import Path
-from .imports import files_to_import, packed_folder
+from .imports import files_to_import, packed_files, packed_folder
 from .short_work import ShortWork, repair_of
 from .sources import PlanSource, Valve, valve_document
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
@@ -78,6 +78,23 @@ class StoredWork(ShortWork):
         :raises Refused: what is wrong with which file
         """
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
+
+    def import_files(self, files: Iterable[Path | Any] | Path, *, name: str = "imported", **options: Any) -> StoredValve:
+        """The same of files whose parts are detected from name and content, as `coapt valve import FILE...` does; chordae that they lack
+        are synthesised.
+
+        >>> folder = "examples/valves/source/bodyparts3d"
+        >>> leaflets = [f"{folder}/{name}_leaflet_sheet.obj" for name in ("anterior", "posterior")]
+        >>> imported = client.import_files([*leaflets, f"{folder}/annulus_centerline.csv"])
+        >>> imported.decisions[0].value
+        'file 1 of 3 (.obj) is the anterior leaflet'
+
+        :param files: in any order: a label map (and its voxel file), meshes, tables, markups, what is in memory; or a folder of these
+        :param options: as import_valve(), and chordae_seed, grid (of the images of a label map: {"size": [i, j, k], "to_lps_mm":
+            three rows of four})
+        :raises Refused: what is wrong with which file
+        """
+        return self._imported({"files": packed_files(files)}, name, options)
 
     def import_slicerheart(self, folder: Path, *, name: str = "imported", **options: Any) -> StoredValve:
         """The same of a folder that SlicerHeart's ValveFemExport or `coapt export` wrote.
