@@ -1,4 +1,5 @@
 import type { Slide } from './story/types'
+import type { Sight } from './viewer/stage'
 
 /// What Ctrl+K finds.
 export interface Command {
@@ -14,4 +15,5 @@ export interface View {
   hide(): void
   settings?(): Command[] // of how it shows the valve
   perform?(slide: Slide): void // what a slide of a story asks beside valve and plan, which are shown
+  readonly sight?: Sight | null // of the valve, for a slide to record
 }

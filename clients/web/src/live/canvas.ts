@@ -7,11 +7,12 @@ import { hasRing } from '../repair/steps'
 import { at, onFace } from '../viewer/geometry'
 import { boxesOver } from '../viewer/label_layout'
 import { type Label, Labels } from '../viewer/labels'
+import { type Camera, lookAt } from '../viewer/camera'
 import { turnToCut } from '../viewer/cut_sight'
-import { heldIn } from '../viewer/marks'
+import { wholeValve } from '../viewer/marks'
 import { Neighbours } from '../viewer/neighbours'
 import { pickAt, type Pick, type PickKind } from '../viewer/pick'
-import { Stage, type ViewName } from '../viewer/stage'
+import { type Sight, Stage, type ViewName } from '../viewer/stage'
 import { startLive, type LiveClient, type LivePicture, type LiveValve } from './client'
 import { cutOf, LiveDrawing, type LiveLook } from './drawing'
 import { Hooks } from './hooks'
@@ -114,11 +115,15 @@ export class LiveCanvas {
     this.hooks.grab(hook, { vertex, at_mm: at(this.drawing.nodes, vertex) })
   }
 
-  view(name: ViewName): void {
+  view(camera: Camera): void {
     const scene = this.drawing.valve?.scene
     if (!scene) return
     const { nodes } = this.drawing
-    this.stage.look(name, heldIn(name, scene, nodes.length > 0 ? nodes : undefined))
+    lookAt(this.stage, camera, scene, nodes.length > 0 ? nodes : undefined)
+  }
+  get sight(): Sight | null {
+    const scene = this.drawing.valve?.scene
+    return scene ? this.stage.sight(wholeValve(scene)) : null
   }
 
   /// While it is hidden no picture is asked for; the valve comes to rest.

@@ -16,6 +16,7 @@ import { viewButtons } from '../valve/looks'
 import type { View } from '../view'
 import { dot, minus } from '../viewer/geometry'
 import { namesAround } from '../viewer/marks'
+import type { Sight } from '../viewer/stage'
 import { problemsOf, type Workspace } from '../workspace'
 import { LiveCanvas } from './canvas'
 import type { LiveValve } from './client'
@@ -122,6 +123,9 @@ export class LiveView implements View {
     tellReadings({ force_n: null, height_mm: null })
   }
 
+  get sight(): Sight | null {
+    return this.canvas.sight
+  }
   perform(slide: Slide): void {
     this.slide = slide
     this.canvas.hooks.releaseAll()

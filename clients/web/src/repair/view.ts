@@ -16,6 +16,7 @@ import { TissueError } from '../valve/tissue_error'
 import { kindsOn, legend } from '../viewer/legend'
 import type { Grip } from '../viewer/handles'
 import { Viewer } from '../viewer/viewer'
+import type { Sight } from '../viewer/stage'
 import { problemsOf, type Workspace } from '../workspace'
 import { handlesOf } from './handles'
 import { KeptPlans } from './kept_plans'
@@ -134,6 +135,9 @@ export class RepairView implements View {
     if (camera) this.before.view(camera)
     if (vary !== undefined) this.tolerance.grab(this.after.handles.keyOf(`${vary - 1} `))
     else this.tolerance.end()
+  }
+  get sight(): Sight | null {
+    return this.before.sight
   }
 
   private take(): void {

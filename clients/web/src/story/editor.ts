@@ -2,6 +2,7 @@
 import { button, download, field, filePicker, h, select } from '../dom'
 import { problemList } from '../problems'
 import { viewTitle } from '../shell/views'
+import type { View } from '../view'
 import type { Workspace } from '../workspace'
 import { problemsOf } from '../workspace'
 import { SEGMENTS } from '../viewer/marks'
@@ -13,12 +14,13 @@ import storyStyle from './story.module.css'
 
 const LIFT_MM = { min: -20, max: 20, value: 6 }
 const NONE = ''
+const RECORDED = 'recorded' // camera
 type Change = { [Field in keyof Slide]?: Slide[Field] | undefined }
 
-/// `view`: the one that is shown.
+/// `shown`: the view in the page.
 export function storyEditor(
   workspace: Workspace,
-  view: () => string,
+  shown: () => { name: string; view: View | null },
 ): { element: HTMLElement; follow(story: Story, slide: number): void } {
   let story: Story | null = null
   let slide = 0
@@ -37,9 +39,9 @@ export function storyEditor(
     },
   )
   figure.setAttribute('aria-label', 'Insert a figure')
-  const camera = select([[NONE, 'unchanged'], ...CAMERAS.map((name) => [name, name] as const)], NONE, (name) =>
-    set({ camera: CAMERAS.find((known) => known === name) }),
-  )
+  const camera = select([[NONE, 'unchanged']], NONE, (name) => {
+    if (name !== RECORDED) set({ camera: CAMERAS.find((known) => known === name) })
+  })
   const expect = select(
     [
       [NONE, 'does not depend on the leak'],
@@ -69,7 +71,7 @@ export function storyEditor(
       h(
         'p',
         { class: parts.row },
-        button('Record this page', () => set(recorded()), { title: 'Current view, valve and plan' }),
+        button('Record this page', () => set(recorded()), { title: 'Current view, valve, plan and camera' }),
         button('Add a slide', () =>
           change((to) => to.slides.splice(slide + 1, 0, { ...recorded(), title: 'Next', text: '{leak}' }), 1),
         ),
@@ -103,12 +105,16 @@ export function storyEditor(
       [called, shown.title],
       [title, present.title],
       [text, present.text],
-      [camera, present.camera ?? NONE],
       [expect, present.expect ?? NONE],
       [pulled, present.pull?.segment ?? NONE],
       [lift, String(present.pull?.lift_mm ?? LIFT_MM.value)],
     ] as const)
       if (document.activeElement !== input && input.value !== value) input.value = value
+    const seen = typeof present.camera === 'object' ? RECORDED : (present.camera ?? NONE)
+    const cameras = [[NONE, 'unchanged'], ...CAMERAS.map((name) => [name, name])]
+    if (seen === RECORDED) cameras.push([RECORDED, 'as recorded'])
+    camera.replaceChildren(...cameras.map(([value, words]) => h('option', { value }, words)))
+    camera.value = seen
     const steps = (present.steps ?? []).map((_, i) => String(i + 1))
     vary.replaceChildren(
       ...[NONE, ...steps].map((step) => h('option', { value: step }, step === NONE ? 'no step' : `step ${step}`)),
@@ -117,12 +123,17 @@ export function storyEditor(
   }
 
   /// The page as it is.
-  function recorded(): Required<Pick<Slide, 'view' | 'valve' | 'steps'>> {
-    const shown = view()
-    const told = TOLD_VIEWS.find((name) => name === shown)
+  function recorded(): Required<Pick<Slide, 'view' | 'valve' | 'steps'>> & Pick<Slide, 'camera'> {
+    const { name, view } = shown()
+    const told = TOLD_VIEWS.find((known) => known === name)
     if (!told || !workspace.valve) throw new Error(`A story shows the views ${TOLD_VIEWS.map(viewTitle).join(', ')}.`)
     const { steps } = workspace.plan
-    return { view: told, valve: workspace.valve.reference, steps: [...steps] }
+    return {
+      view: told,
+      valve: workspace.valve.reference,
+      steps: [...steps],
+      ...(view?.sight && { camera: view.sight }),
+    }
   }
 
   function set(some: Change): void {

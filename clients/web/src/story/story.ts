@@ -3,16 +3,25 @@
 import type { Problem, Step } from '../api/types'
 import { COLOUR_MODES } from '../viewer/colours'
 import { SEGMENTS } from '../viewer/marks'
-import type { ViewName as Camera } from '../viewer/stage'
+import type { ViewName } from '../viewer/stage'
 import { FIGURE_NAMES } from './figures'
 import { STORIES } from './shipped'
 import type { Slide, Story } from './types'
 
-export const CAMERAS = ['atrial', 'oblique', 'anterior', 'lateral', 'ventricular'] as const satisfies readonly Camera[]
+export const CAMERAS = [
+  'atrial',
+  'oblique',
+  'anterior',
+  'lateral',
+  'ventricular',
+] as const satisfies readonly ViewName[]
 export const EXPECTED = ['leaks', 'closed'] as const
 export const TOLD_VIEWS = ['valve', 'repair', 'live'] as const
 const LIFT_MM = { min: -20, max: 20 }
 const PRESSURE_MMHG = { min: 0, max: 300 }
+const DIRECTION = { min: -1, max: 1 }
+const PLACE_MM = { min: -100, max: 100 }
+const ZOOM = { min: 0.1, max: 20 }
 const MOST_SLIDES = 40
 const SHARED = '~' // before a story that stands in the address
 
@@ -74,6 +83,12 @@ const within =
     typeof value === 'number' && value >= min && value <= max
       ? null
       : `is ${JSON.stringify(value)}; must be from ${min} to ${max}`
+const three =
+  (range: { min: number; max: number }): Check =>
+  (value) =>
+    Array.isArray(value) && value.length === 3 && value.every((part) => within(range)(part) === null)
+      ? null
+      : `must be three numbers from ${range.min} to ${range.max}`
 const isFlag: Check = (value) => (typeof value === 'boolean' ? null : 'must be true or false')
 const isSteps: Check = (value) =>
   Array.isArray(value) && value.every((step) => typeof (step as Step | null)?.step === 'string')
@@ -97,7 +112,7 @@ const SLIDE: Readonly<Record<string, { check: Check; isOptional?: true }>> = {
   view: { check: oneOf(TOLD_VIEWS) },
   valve: { check: isText },
   steps: { check: isSteps, isOptional: true },
-  camera: { check: oneOf(CAMERAS), isOptional: true },
+  camera: { check: (value) => (isObject(value) ? null : oneOf(CAMERAS)(value)), isOptional: true },
   colours: { check: oneOf(COLOUR_MODES.map(([name]) => name)), isOptional: true },
   cut: { check: isFlag, isOptional: true },
   pull: { check: () => null, isOptional: true },
@@ -108,6 +123,11 @@ const PULL: typeof SLIDE = {
   segment: { check: oneOf(SEGMENTS) },
   lift_mm: { check: within(LIFT_MM) },
   pressure_mmhg: { check: within(PRESSURE_MMHG), isOptional: true },
+}
+const SIGHT: typeof SLIDE = {
+  from: { check: three(DIRECTION) },
+  towards_mm: { check: three(PLACE_MM) },
+  zoom: { check: within(ZOOM) },
 }
 const STORY: typeof SLIDE = {
   schema: { check: oneOf(['coapt.story/1']) },
@@ -127,15 +147,21 @@ export function problemsOfStory(read: unknown): Problem[] {
     ]
   slides.forEach((slide, i) => {
     problems.push(...checked(slide, `/slides/${i}`, SLIDE))
-    if ((slide as Slide | null)?.pull) problems.push(...checked(slide.pull, `/slides/${i}/pull`, PULL))
+    const { pull, camera } = (slide ?? {}) as Partial<Slide>
+    if (pull) problems.push(...checked(pull, `/slides/${i}/pull`, PULL))
+    if (isObject(camera)) problems.push(...checked(camera, `/slides/${i}/camera`, SIGHT))
   })
   return problems
 }
 
+function isObject(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value)
+}
+
 function checked(value: unknown, path: string, fields: typeof SLIDE): Problem[] {
   const fault = (below: string, message: string): Problem => ({ code: 'bad_story', path: path + below, message })
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) return [fault('', 'must be an object')]
-  const given = value as Record<string, unknown>
+  if (!isObject(value)) return [fault('', 'must be an object')]
+  const given = value
   const unknown = Object.keys(given).filter((name) => !(name in fields))
   const faults = unknown.map((name) =>
     fault(`/${name}`, `is not a field here; fields are ${Object.keys(fields).join(', ')}`),

@@ -170,7 +170,7 @@ export function storyStrip(workspace: Workspace, shown: () => { name: string; vi
     editor = null
     editing.replaceChildren()
     if (isOpen || !story) return
-    const made = (await import('./editor')).storyEditor(workspace, () => shown().name)
+    const made = (await import('./editor')).storyEditor(workspace, shown)
     editing.replaceChildren(made.element)
     editor = made
     made.follow(story, place())

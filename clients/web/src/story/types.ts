@@ -1,7 +1,7 @@
 // A story and its slides (io/schema/story.schema.json).
 import type { Segment, Step } from '../api/types'
 import type { ColourMode } from '../viewer/colours'
-import type { ViewName as Camera } from '../viewer/stage'
+import type { Camera } from '../viewer/camera'
 
 export interface Pull {
   segment: Segment // by the middle of its free edge

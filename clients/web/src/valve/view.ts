@@ -10,6 +10,7 @@ import type { Slide } from '../story/types'
 import type { Command, View } from '../view'
 import { kindsOn, legend } from '../viewer/legend'
 import { Viewer } from '../viewer/viewer'
+import type { Sight } from '../viewer/stage'
 import type { Workspace } from '../workspace'
 import { certainty } from './certainty'
 import { DistanceTool } from './distance'
@@ -102,6 +103,9 @@ export class ValveView implements View {
   perform({ camera, ...shown }: Slide): void {
     this.looks.ask(shown)
     if (camera) this.viewer.view(camera)
+  }
+  get sight(): Sight | null {
+    return this.viewer.sight
   }
 
   /// While files are imported they stand where the valve does else.

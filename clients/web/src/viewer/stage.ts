@@ -18,6 +18,13 @@ import { onTheme } from '../shell/theme'
 
 export type ViewName = 'atrial' | 'oblique' | 'anterior' | 'lateral' | 'ventricular'
 
+/// How a camera looks at a valve, whatever the shape of its canvas.
+export interface Sight {
+  from: Vector // unit vector towards the camera
+  towards_mm: Vector
+  zoom: number // 1: as near as what is held allows
+}
+
 /// From where: unit vectors in the valve's frame (x posteromedial, y anterior, z atrial).
 const VIEWS: Record<ViewName, [number, number, number]> = {
   atrial: [0, -1e-4, 1],
@@ -104,8 +111,8 @@ export class Stage {
   }
 
   /// Turns to a view, or to where a vector points from, that holds all of `points_mm`; it holds them on a canvas of another shape, too.
-  look(view: ViewName | Vector, points_mm: readonly (readonly number[])[]): void {
-    this.held = points_mm.map((point) => new Vector3(...point))
+  look(view: ViewName | Vector, points_mm: readonly Vector[]): void {
+    this.held = vectorsOf(points_mm)
     const way = new Vector3(...(typeof view === 'string' ? VIEWS[view] : view)).normalize()
     const { target } = this.controls
     target.copy(middleOf(this.held))
@@ -118,6 +125,27 @@ export class Stage {
       this.controls.update()
     }
     this.draw()
+  }
+
+  /// As sight() has it of these points.
+  see({ from, towards_mm, zoom }: Sight, points_mm: readonly Vector[]): void {
+    this.held = vectorsOf(points_mm)
+    this.controls.target.set(...towards_mm)
+    this.camera.position.copy(this.controls.target).add(new Vector3(...from))
+    this.controls.update()
+    this.zoom(this.fitting() / zoom)
+    this.draw()
+  }
+
+  sight(points_mm: readonly Vector[]): Sight {
+    const { target } = this.controls
+    const offset = this.camera.position.clone().sub(target)
+    const [away, from] = [offset.length(), offset.normalize()]
+    return {
+      from: rounded(from, 4),
+      towards_mm: rounded(target, 2),
+      zoom: Number((this.fitting(vectorsOf(points_mm)) / away).toFixed(3)),
+    }
   }
 
   /// What brings the camera back to where it is now.
@@ -154,12 +182,12 @@ export class Stage {
   }
 
   /// How far the camera is to be from its target, in its present direction, to have all held points in the picture.
-  private fitting(): number {
+  private fitting(held = this.held): number {
     this.camera.updateMatrixWorld()
     const upright = Math.tan((FIELD_DEG * Math.PI) / 360) / MARGIN
     const sideways = upright * this.camera.aspect
     const turned = this.camera.quaternion.clone().invert()
-    const needs = this.held.map((point) => {
+    const needs = held.map((point) => {
       const { x, y, z } = point.clone().sub(this.controls.target).applyQuaternion(turned)
       return z + Math.max(Math.abs(x) / sideways, Math.abs(y) / upright)
     })
@@ -254,6 +282,14 @@ export class Stage {
     this.camera.position.copy(this.controls.target).addScaledVector(offset, times)
     this.controls.update()
   }
+}
+
+function vectorsOf(points_mm: readonly Vector[]): Vector3[] {
+  return points_mm.map((point) => new Vector3(...point))
+}
+
+function rounded(vector: Vector3, digits: number): Vector {
+  return vector.toArray().map((part) => Number(part.toFixed(digits))) as Vector
 }
 
 function middleOf(points: Vector3[]): Vector3 {

@@ -4,6 +4,7 @@ import { h } from '../dom'
 import { chordaColours, cornerColours, cutColour, TINTS, type ColourMode, type Scale } from './colours'
 import { at, chordaLines, closedNodes, nodesAt, seamLines, section, tieLines } from './geometry'
 import { Bubble, type BubbleSurface } from './bubble'
+import { type Camera, lookAt } from './camera'
 import { clippingPlanes, isLeft, nearSide, turnToCut } from './cut_sight'
 import { Handles } from './handles'
 import { around, type Box, boxesOver } from './label_layout'
@@ -11,13 +12,13 @@ import { type DrawnLabel, Labels, type Label } from './labels'
 import { leakLabels, LeakMeshes, openingLabels } from './leak'
 import { Leaflets } from './leaflets'
 import { Lines } from './lines'
-import { heldIn, hours, namesOf } from './marks'
+import { hours, namesOf, wholeValve } from './marks'
 import { Neighbours } from './neighbours'
 import { isBehind, nearestAround, pickAt, type Pick, type PickKind } from './pick'
 import { reading, Readout } from './readout'
 import { PapillaryMuscles } from './papillary'
 import { Ring } from './ring'
-import { Stage, type ViewName } from './stage'
+import { type Sight, Stage } from './stage'
 import { TissueMaterial } from './tissue_material'
 import viewerStyle from './viewer.module.css'
 
@@ -196,9 +197,11 @@ export class Viewer {
     return this.isClosed(look) || look.mode === 'height' ? look.mode : 'leaflets'
   }
 
-  view(name: ViewName): void {
-    const { scene } = this
-    if (scene) this.stage.look(name, heldIn(name, scene, this.nodes))
+  view(camera: Camera): void {
+    if (this.scene) lookAt(this.stage, camera, this.scene, this.nodes)
+  }
+  get sight(): Sight | null {
+    return this.scene && this.stage.sight(wholeValve(this.scene))
   }
 
   /// Words besides the names.

@@ -43,8 +43,11 @@ test('a story is written on the page and told from its link', async () => {
   await page.getByRole('link', { name: 'Repair', exact: true }).click()
   await page.getByRole('button', { name: 'Ring', exact: true }).click()
   await page.locator('[data-part=answer]', { hasText: 'Closed and measured' }).waitFor()
+  await page.getByRole('button', { name: 'From lateral' }).click()
+  await page.locator('[data-part=viewer] canvas').first().press('ArrowLeft')
   await editor.getByRole('button', { name: 'Add a slide' }).click()
   await page.locator('[data-part=story-count]', { hasText: '2 of' }).waitFor()
+  assert.equal(await editor.getByLabel('Seen from').inputValue(), 'recorded')
   const words = editor.getByRole('textbox', { name: 'Words of the slide' })
   await words.fill('A ring brings the leak to 12 mm².')
   await words.blur()
@@ -60,6 +63,8 @@ test('a story is written on the page and told from its link', async () => {
   await pupil.page
     .locator('[data-part=story-text]', { hasText: /A ring brings the leak from \d+ ± \d+ mm² to \d+/ })
     .waitFor()
+  const root = pupil.page.locator('[data-part=neighbour]').first() // seen from above alone
+  await root.waitFor({ state: 'hidden' })
   assert.deepEqual(pupil.complaints, [])
   await pupil.page.context().close()
   await page.getByRole('button', { name: 'End the story' }).click()

@@ -38,6 +38,15 @@ test('what is wrong is said with its place: a view, a field, a pull, no slides, 
   expect(() => readStory('{')).toThrow(StoryFault)
 })
 
+test('a camera has a name, or is what was recorded', () => {
+  const camera = { from: [0, -0.6, 0.8], towards_mm: [0, 0, -5], zoom: 1.2 }
+  expect(faults({ camera: 'oblique' })).toEqual([])
+  expect(faults({ camera })).toEqual([])
+  expect(faults({ camera: { ...camera, from: [0, 1] } })).toMatchObject([{ path: '/slides/0/camera/from' }])
+  expect(faults({ camera: { ...camera, zoom: 0 } })).toMatchObject([{ path: '/slides/0/camera/zoom' }])
+  expect(faults({ camera: [0, 0, 1] })).toMatchObject([{ path: '/slides/0/camera' }])
+})
+
 test('a story comes whole out of its link, and a link that is cut says so', async () => {
   const link = await encodeStory(story)
   expect(link).toMatch(/^~[\w-]+$/)
@@ -47,14 +56,16 @@ test('a story comes whole out of its link, and a link that is cut says so', asyn
 })
 
 test('schema and reader know the same fields and words', () => {
-  const { slide: ofSlide, pull } = schema.$defs
+  const { slide: ofSlide, pull, sight } = schema.$defs
   const known = (fields: object, path: string) =>
-    problemsOfStory({ ...story, slides: [{ ...slide, ...(path === 'pull' ? { pull: fields } : fields) }] })
+    problemsOfStory({ ...story, slides: [{ ...slide, ...(path === '' ? fields : { [path]: fields }) }] })
   const named = (problems: ReturnType<typeof problemsOfStory>) => problems[0]?.message ?? ''
   expect(named(known({ nothing: 1 }, ''))).toContain(Object.keys(ofSlide.properties).join(', '))
   expect(named(known({ segment: 'P2', lift_mm: 1, nothing: 1 }, 'pull'))).toContain(
     Object.keys(pull.properties).join(', '),
   )
+  expect(named(known({ nothing: 1 }, 'camera'))).toContain(Object.keys(sight.properties).join(', '))
+  expect(named(known({ camera: 'nothing' }, ''))).toContain(ofSlide.properties.camera.oneOf[0]?.enum?.join(', '))
   for (const [name, { enum: words }] of Object.entries(ofSlide.properties as Record<string, { enum?: string[] }>))
     if (words) expect(named(known({ [name]: 'nothing' }, ''))).toContain(words.join(', '))
 })
