@@ -36,8 +36,13 @@ export function close(valve: string, plan: Plan | null, signal?: AbortSignal): P
 export const CERTAINTIES = ['quick', 'sure', 'proof'] as const
 export type Certainty = (typeof CERTAINTIES)[number]
 
-export function closeWith(certainty: Certainty, valve: string, signal: AbortSignal): Promise<Closure> {
-  return postJson('/v1/closures', { valve, certainty }, signal)
+export function closeWith(
+  certainty: Certainty,
+  valve: string,
+  plan: Plan | null,
+  signal: AbortSignal,
+): Promise<Closure> {
+  return postJson('/v1/closures', { valve, certainty, ...(plan ? { plan } : {}) }, signal)
 }
 
 /// The same valve in diastole. `frames`: states of the opening, at most.

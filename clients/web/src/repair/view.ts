@@ -8,6 +8,7 @@ import { labelledButton } from '../icons'
 import { problemList } from '../problems'
 import type { Slide } from '../story/types'
 import type { Command, View } from '../view'
+import { certainty } from '../valve/certainty'
 import { Looks } from '../valve/looks'
 import { headline } from '../valve/headline'
 import { measures } from '../valve/measures'
@@ -43,6 +44,7 @@ export class RepairView implements View {
     before: h('div', { class: valveStyle.inset, hidden: true }),
     after: h('div', { class: valveStyle.inset, hidden: true }),
   }
+  private readonly certainty: HTMLElement
   private readonly measures = h('section', { class: parts.panel, 'aria-label': 'Measured' })
   private readonly problems = h('div', {})
   private readonly said = h('p', { class: repairStyle.answer, 'data-part': 'answer', 'aria-live': 'polite' })
@@ -59,6 +61,7 @@ export class RepairView implements View {
   })
 
   constructor(private readonly workspace: Workspace) {
+    this.certainty = certainty(workspace, true)
     this.save = closureSaver(workspace, true, this.problems)
     this.editor = new PlanEditor(workspace, (request) => this.picking.ask(request, workspace.plan))
     this.kept = new KeptPlans(workspace)
@@ -170,6 +173,7 @@ export class RepairView implements View {
       ...(warnings.length > 0 && this.workspace.after
         ? [h('ul', { class: parts.warn }, ...warnings.map((words) => h('li', {}, words)))]
         : []),
+      this.certainty,
       measures(before, this.workspace.after),
     )
     this.draw()

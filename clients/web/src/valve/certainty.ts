@@ -22,12 +22,16 @@ const TIMES: Record<Certainty, number> = { quick: 1, sure: 5, proof: 20 }
 /// Errors of it: (650 / triangles)^0.6 on four and sixteen times the triangles (docs/researcher/accuracy.md).
 const ERRORS: Record<Certainty, number> = { quick: 1, sure: 4 ** -0.6, proof: 16 ** -0.6 }
 
-export function certainty(workspace: Workspace): HTMLElement {
+/// `isRepaired`: of the valve with the present plan.
+export function certainty(workspace: Workspace, isRepaired: boolean): HTMLElement {
   const question = valveQuestion(workspace, {
     labels: CERTAINTIES,
     busy: 'Closing',
-    ask: async (reference, signal, chosen) => [certaintyWords(await closeWith(chosen, reference, signal))],
+    ask: async ({ reference, plan }, signal, chosen) => [
+      certaintyWords(await closeWith(chosen, reference, plan, signal)),
+    ],
     style: parts.hint,
+    isRepaired,
   })
   const trades = CERTAINTIES.map(() => h('span', { class: parts.hint }))
   const element = h(
@@ -38,7 +42,7 @@ export function certainty(workspace: Workspace): HTMLElement {
     question.answer,
   )
   function tell(): void {
-    const closure = workspace.before?.closure
+    const closure = (isRepaired ? workspace.after : workspace.before)?.closure
     element.hidden = !closure
     for (const [i, word] of CERTAINTIES.entries()) if (closure) trades[i]?.replaceChildren(tradeWords(word, closure))
   }

@@ -27,7 +27,7 @@ export function heartsPanel(workspace: Workspace): HTMLElement {
   const question = valveQuestion(workspace, {
     labels: ['Compare with measurements'],
     busy: 'Comparing with measurements',
-    ask: async (reference, signal) => rowsOf(await comparePhysiology(reference, signal)),
+    ask: async ({ reference }, signal) => rowsOf(await comparePhysiology(reference, signal)),
     style: valveStyle.hearts,
   })
   return h(

@@ -1,13 +1,21 @@
-// What takes long to know of the valve that is open: asked for by a button, or one of some, answered below, and forgotten when another valve is opened.
+// What takes long to know of the valve that is open, or of its repair: asked for by a button, or one of some, answered below, and forgotten when
+// there is another valve or plan.
+import type { Plan } from '../api/types'
 import { button, h } from '../dom'
 import { problemList } from '../problems'
 import { problemsOf, type Workspace } from '../workspace'
 
+interface Asked {
+  reference: string
+  plan: Plan | null
+}
+
 interface Question<Choice extends string> {
   labels: readonly Choice[] // of the buttons
   busy: string // of the progress
-  ask: (reference: string, signal: AbortSignal, chosen: Choice) => Promise<(Node | string)[]>
+  ask: (of: Asked, signal: AbortSignal, chosen: Choice) => Promise<(Node | string)[]>
   style: string | undefined // of the answer
+  isRepaired?: boolean // it is asked of the valve with the present plan
 }
 
 interface ValveQuestion {
@@ -18,32 +26,32 @@ interface ValveQuestion {
 
 export function valveQuestion<Choice extends string>(
   workspace: Workspace,
-  { labels, busy, ask, style }: Question<Choice>,
+  { labels, busy, ask, style, isRepaired = false }: Question<Choice>,
 ): ValveQuestion {
   let asked: AbortController | null = null
-  let shown: string | null = null // the reference of the valve that is answered for, or was
+  let shown: string | null = null // the valve and plan that are answered for, or were
   const buttons = labels.map((label) => button(label, () => void answerIt(label)))
   const progress = h('progress', { 'aria-label': busy, hidden: true })
   const answer = h('div', { class: style, 'aria-live': 'polite' })
-  workspace.subscribe(() => shown !== null && workspace.valve?.reference !== shown && clear())
+  const present = (): Asked | null =>
+    workspace.valve && { reference: workspace.valve.reference, plan: isRepaired ? workspace.plan : null }
+  workspace.subscribe(() => shown !== null && JSON.stringify(present()) !== shown && clear())
 
   async function answerIt(chosen: Choice): Promise<void> {
-    const { valve } = workspace
-    if (!valve) return
+    const of = present()
+    if (!of) return
     clear()
-    shown = valve.reference
+    shown = JSON.stringify(of)
     const mine = new AbortController()
     asked = mine
     setBusy(true)
-    const parts = await ask(valve.reference, mine.signal, chosen).catch((error: unknown) => [
-      problemList(problemsOf(error)),
-    ])
+    const parts = await ask(of, mine.signal, chosen).catch((error: unknown) => [problemList(problemsOf(error))])
     if (asked !== mine) return
     answer.replaceChildren(...parts)
     setBusy(false)
   }
 
-  /// What is asked of another valve is not waited for.
+  /// What was asked before is not waited for.
   function clear(): void {
     asked?.abort()
     asked = null

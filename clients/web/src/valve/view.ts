@@ -79,7 +79,7 @@ export class ValveView implements View {
           { class: parts.panel },
           h('h2', {}, 'Measured'),
           this.diastole.element,
-          certainty(workspace),
+          certainty(workspace, false),
           this.measures,
         ),
         this.looks.element,

@@ -22,6 +22,19 @@ test('a ring of the own shape makes the leak smaller, as the service says', asyn
   assert.ok(Number.parseFloat((await leak())[1]) < Number.parseFloat((await leak())[0]))
 })
 
+test('time is traded for certainty of the repaired leak, until the plan is another', async () => {
+  const panel = page.locator('[data-part=certainty]')
+  await panel.getByRole('button', { name: 'sure' }).click()
+  await panel.getByText(/^The leak is [\d.]+ ± [\d.]+ mm² \([\d.]+ and [\d.]+ on 648 and 2,592 triangles/).waitFor()
+  const [said] = (await panel.textContent()).match(/leak is [\d.]+/)
+  assert.ok(Math.abs(Number.parseFloat(said.slice(8)) - Number.parseFloat((await leak())[1])) < 2, said)
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await panel.waitFor({ state: 'hidden' })
+  await page.getByRole('button', { name: 'Ring' }).click()
+  await answered()
+  assert.ok(!(await panel.textContent()).includes('The leak is'))
+})
+
 test('letting a slider go closes the valve anew', async () => {
   const before = (await leak())[1]
   await page.getByRole('slider', { name: 'Undersized by, sizes', exact: true }).fill('0')
