@@ -1,7 +1,6 @@
 // Every label map of a folder: whether it is imported, closes and is repaired with nothing touched, and what must be looked at.
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,21 +11,18 @@
 #include <vector>
 
 #include "clients/cli/commands.h"
+#include "clients/cli/farm_option.h"
 #include "clients/cli/import_inputs.h"
-#include "core/closed/closed_valve.h"
-#include "core/closure/standing.h"
+#include "farm/work/import_work.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
 #include "io/command_line/progress_bar.h"
-#include "io/exchange/decisions_json.h"
 #include "io/json/parse_json.h"
 #include "io/json/subject.h"
-#include "io/json/valve_json.h"
 #include "io/picture/csv_lines.h"
 #include "io/picture/import_picture.h"
-#include "search/plans/plan_search.h"
 
 namespace coapt {
 namespace {
@@ -34,13 +30,12 @@ namespace {
 namespace fs = std::filesystem;
 
 struct StudyImportsArguments {
-  std::string folder, directory = "study-imports";
+  std::string folder, farm, directory = "study-imports";
   int evaluations = 0, seed = 1;
   bool pictures = false, json = false;
 };
 
-/// In this order; a map has reached the last one that it passed.
-constexpr const char* kStages[] = {"refused", "imported", "closed", "planned"};
+constexpr std::size_t kBytesAtOnce = std::size_t{256} << 20;  // of the files that are asked about
 
 /// One import: a label map, or the files of a folder.
 struct Subject {
@@ -71,61 +66,6 @@ Expected<std::vector<Subject>> subjects_in(const std::string& folder) {
   return subjects;
 }
 
-Json refusal(const Errors& errors) {
-  return {{"stage", "refused"},
-          {"reason", errors[0].path + (errors[0].path.empty() ? "" : ": ") + errors[0].message}};
-}
-
-Expected<ImportedValve> imported(std::vector<NamedFile> files, const std::string& name, int seed) {
-  ImportRequest request;
-  request.files = std::move(files);
-  request.reading.most_unpacked = kMostUnpacked;
-  request.name = name;
-  request.seed = seed;
-  return make_import(std::move(request), {});
-}
-
-/// How far the import goes. Its valve and picture are written below `directory`.
-Json outcome(const StudyImportsArguments& arguments, const Subject& subject,
-             std::vector<NamedFile> files, const std::atomic<bool>& interrupted) {
-  const Expected<ImportedValve> made = imported(std::move(files), subject.name, arguments.seed);
-  if (!made) return refusal(made.errors());
-  const fs::path directory = arguments.directory;
-  Json row = {{"stage", "imported"}, {"reason", ""}, {"looks", Json::array()}};
-  for (const ImportDecision& decision : made->decisions)
-    if (decision.look) row["looks"].push_back(sentence(decision));
-  row["valve"] = "valves/" + subject.name + ".json";
-  if (write_output(directory / row["valve"].get<std::string>(), write_valve(made->valve)) !=
-      exit_code::kOk)
-    row["valve"] = nullptr;
-  if (arguments.pictures)
-    (void)write_output(directory / "pictures" / (subject.name + ".png"),
-                       import_picture_png(*made, subject.name));
-  const ClosedValve closed = close_and_measure(made->valve);
-  if (!trusted(closed.closure)) {
-    row["reason"] = doubt_about(closed.closure);
-    return row;
-  }
-  row["stage"] = "closed";
-  row["leak_mm2"] = closed.measure.leak.area_mm2;
-  if (arguments.evaluations == 0) return row;
-  SearchOptions options;
-  options.evaluations = arguments.evaluations;
-  options.plans = 1;
-  options.evidence = false;
-  options.model_draws = 0;
-  options.region_points = 17;
-  const Expected<SearchResult> found =
-      search_plans(made->valve, options, {.cancelled = &interrupted});
-  if (!found || found->plans.empty()) {
-    row["reason"] = found ? "no plan was found" : found.errors()[0].message;
-    return row;
-  }
-  row["stage"] = "planned";
-  row["plan_leak_mm2"] = found->plans[0].measure.leak.area_mm2;
-  return row;
-}
-
 /// What was done before, by the id of its bytes. A line that a killed study left half is not there.
 std::map<std::string, Json> kept_rows(const std::string& path) {
   std::map<std::string, Json> rows;
@@ -138,13 +78,12 @@ std::map<std::string, Json> kept_rows(const std::string& path) {
 }
 
 std::string table_of(const std::vector<Json>& rows) {
-  CsvLines csv("name,stage,looks,leak_mm2,plan_leak_mm2,seconds,reason,first_look");
+  CsvLines csv("name,stage,looks,leak_mm2,plan_leak_mm2,reason,first_look");
   for (const Json& row : rows) {
     const Json looks = row.value("looks", Json::array());
     csv << row["name"].get<std::string>() << row["stage"].get<std::string>()
         << static_cast<int>(looks.size()) << row.value("leak_mm2", std::nan(""))
-        << row.value("plan_leak_mm2", std::nan("")) << row.value("seconds", 0.0)
-        << row.value("reason", std::string())
+        << row.value("plan_leak_mm2", std::nan("")) << row.value("reason", std::string())
         << (looks.empty() ? std::string() : looks[0].get<std::string>());
     csv.end_line();
   }
@@ -177,7 +116,7 @@ Json summary_of(const std::vector<Json>& rows) {
     if (row["stage"] != "refused" && said.empty()) ++unlooked;
   }
   Json summary = result_document("coapt.imports_study/1", {{"maps", rows.size()}});
-  for (const char* stage : kStages) summary["stages"][stage] = stages[stage];
+  for (const char* stage : kImportStages) summary["stages"][stage] = stages[stage];
   summary["nothing_to_look_at"] = unlooked;
   summary["reasons"] = reasons;
   summary["looks"] = looks;
@@ -196,7 +135,7 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
     std::cout << summary.dump(2) << '\n';
     return exit_code::kOk;
   }
-  for (const char* stage : kStages)
+  for (const char* stage : kImportStages)
     std::cout << stage << ": " << summary["stages"][stage] << " of " << rows.size() << '\n';
   std::cout << "imported without a decision to check: " << summary["nothing_to_look_at"] << '\n';
   for (const auto& [reason, count] : summary["reasons"].items())
@@ -205,9 +144,144 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
   return exit_code::kOk;
 }
 
+/// Imports whose files were read, and the rows that they will have.
+struct Pending {
+  std::vector<ImportCase> cases;
+  std::vector<std::string> ids;
+  std::vector<std::size_t> rows;
+  std::size_t bytes = 0;
+};
+
+class ImportsStudy {
+ public:
+  ImportsStudy(const StudyImportsArguments& arguments, std::vector<Subject> subjects,
+               const std::atomic<bool>& interrupted)
+      : arguments_(arguments),
+        subjects_(std::move(subjects)),
+        interrupted_(interrupted),
+        asker_(asker_of(arguments.farm, 0)),
+        rows_(subjects_.size()) {
+    const std::string path = fs::path(arguments.directory) / "imports.jsonl";
+    kept_ = kept_rows(path);
+    log_.open(path, std::ios::app);
+  }
+
+  /// Errors: what became of the asking.
+  Errors run() {
+    // A farm takes many at once; here each row is kept soon after it is made.
+    const std::size_t at_once = !arguments_.farm.empty()     ? std::size_t{10'000}
+                                : arguments_.evaluations > 0 ? std::size_t{1}
+                                                             : std::size_t{16};
+    Pending pending;
+    for (std::size_t i = 0; i < subjects_.size() && !interrupted_; ++i) {
+      take(i, pending);
+      const bool is_last = i + 1 == subjects_.size();
+      if (pending.cases.size() < at_once && pending.bytes < kBytesAtOnce && !is_last) continue;
+      if (Errors errors = ask(pending); !errors.empty()) return errors;
+      pending = {};
+    }
+    return {};
+  }
+
+  /// Those that are known, in the order of the folder.
+  std::vector<Json> rows() const {
+    std::vector<Json> known;
+    std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(known),
+                 [](const Json& row) { return !row.is_null(); });
+    return known;
+  }
+
+ private:
+  /// Its row is known, or it is pending.
+  void take(std::size_t index, Pending& pending) {
+    const Subject& subject = subjects_[index];
+    ImportCase one{subject.name, {}};
+    std::size_t bytes = 0;
+    std::string all = closures_revision() + ' ' + std::to_string(arguments_.evaluations) + ' ' +
+                      std::to_string(arguments_.seed);
+    for (const std::string& path : subject.paths) {
+      Expected<NamedFile> file = read_import_file(path);
+      if (!file) {
+        rows_[index] = {{"name", subject.name},
+                        {"stage", "refused"},
+                        {"reason", file.errors()[0].message},
+                        {"looks", Json::array()}};
+        return;
+      }
+      bytes += file->bytes.size();
+      all += '\n' + file->name + '\n' + fnv1a_128(file->bytes);
+      one.files.push_back(*std::move(file));
+    }
+    std::string id = fnv1a_128(all);
+    if (const auto found = kept_.find(id); found != kept_.end()) {
+      rows_[index] = found->second;
+      rows_[index]["name"] = subject.name;
+      return;
+    }
+    pending.cases.push_back(std::move(one));
+    pending.ids.push_back(std::move(id));
+    pending.rows.push_back(index);
+    pending.bytes += bytes;
+  }
+
+  Errors ask(const Pending& pending) {
+    if (pending.cases.empty() || interrupted_) return {};
+    const auto known = static_cast<int>(rows().size());
+    const auto show = [&](const AskProgress& now) {
+      bar_.show(known + static_cast<int>(now.done), static_cast<int>(subjects_.size()), "imports");
+    };
+    show({});
+    const Expected<std::string> bytes =
+        asker_(imports_request(pending.cases, {arguments_.seed, arguments_.evaluations}),
+               {"coapt study imports", show, &interrupted_});
+    if (!bytes) return interrupted_ ? Errors{} : bytes.errors();
+    const Expected<std::vector<ImportOutcome>> outcomes = import_outcomes(*bytes);
+    if (!outcomes) return outcomes.errors();
+    if (outcomes->size() != pending.cases.size())
+      return {Error{ErrorCode::InputOutput, "", "the farm returned another number of imports"}};
+    for (std::size_t i = 0; i < outcomes->size(); ++i)
+      keep(pending.cases[i], (*outcomes)[i], pending.ids[i], rows_[pending.rows[i]]);
+    return {};
+  }
+
+  /// Its valve and picture are written below the directory.
+  void keep(const ImportCase& one, const ImportOutcome& outcome, const std::string& id, Json& row) {
+    const fs::path directory = arguments_.directory;
+    row = outcome.row;
+    row["id"] = id;
+    row["name"] = one.name;
+    if (!outcome.valve.empty()) {
+      const std::string file = "valves/" + one.name + ".json";
+      const bool is_written = write_output(directory / file, outcome.valve) == exit_code::kOk;
+      row["valve"] = is_written ? Json(file) : Json();
+      if (arguments_.pictures) draw(one);
+    }
+    log_ << row.dump() << std::endl;
+  }
+
+  void draw(const ImportCase& one) const {
+    ImportRequest request;
+    request.files = one.files;
+    request.reading.most_unpacked = kMostUnpacked;
+    request.seed = arguments_.seed;
+    if (const Expected<ImportedValve> made = make_import(std::move(request), {}))
+      (void)write_output(fs::path(arguments_.directory) / "pictures" / (one.name + ".png"),
+                         import_picture_png(*made, one.name));
+  }
+
+  const StudyImportsArguments& arguments_;
+  std::vector<Subject> subjects_;
+  const std::atomic<bool>& interrupted_;
+  Asker asker_;
+  std::vector<Json> rows_;  ///< of the subjects; null: not yet known
+  std::map<std::string, Json> kept_;
+  std::ofstream log_;
+  ProgressBar bar_;
+};
+
 int run(const StudyImportsArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Expected<std::vector<Subject>> subjects = subjects_in(arguments.folder);
+  Expected<std::vector<Subject>> subjects = subjects_in(arguments.folder);
   if (!subjects) return report_errors(arguments.folder, subjects.errors());
   const fs::path directory = arguments.directory;
   for (const fs::path& path : {directory / "valves", directory / "pictures"})
@@ -215,45 +289,14 @@ int run(const StudyImportsArguments& arguments) {
       report_errors("study imports", errors);
       return exit_code::kFailure;
     }
-  const std::string kept_path = directory / "imports.jsonl";
-  std::map<std::string, Json> kept = kept_rows(kept_path);
-  std::ofstream log(kept_path, std::ios::app);
   std::vector<Json> rows;
   {
-    const ProgressBar bar;
-    for (const Subject& subject : *subjects) {
-      bar.show(std::ssize(rows), std::ssize(*subjects), "imports");
-      const auto start = std::chrono::steady_clock::now();
-      std::vector<NamedFile> files;
-      Errors unread;
-      std::string all = closures_revision() + ' ' + std::to_string(arguments.evaluations) + ' ' +
-                        std::to_string(arguments.seed);
-      for (const std::string& path : subject.paths) {
-        Expected<NamedFile> file = read_import_file(path);
-        if (!file) {
-          unread = file.errors();
-          break;
-        }
-        files.push_back(*std::move(file));
-        all += '\n' + files.back().name + '\n' + fnv1a_128(files.back().bytes);
-      }
-      const std::string id = fnv1a_128(all);
-      if (const auto found = kept.find(id); found != kept.end()) {
-        rows.push_back(found->second);
-        rows.back()["name"] = subject.name;
-        continue;
-      }
-      if (interrupted) break;
-      Json row = unread.empty() ? outcome(arguments, subject, std::move(files), interrupted)
-                                : refusal(unread);
-      if (interrupted) break;  // what it has is of a search that was cut short
-      row["id"] = id;
-      row["name"] = subject.name;
-      row["seconds"] =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      log << row.dump() << std::endl;
-      rows.push_back(std::move(row));
+    ImportsStudy study(arguments, *std::move(subjects), interrupted);
+    if (const Errors errors = study.run(); !errors.empty()) {
+      report_errors("study imports", errors);
+      return exit_code::kFailure;
     }
+    rows = study.rows();
   }
   const int failed = finish(arguments, rows);
   return interrupted ? exit_code::kInterrupted : failed;
@@ -285,6 +328,7 @@ void add_study_imports(Command parent, int& status) {
       .show_default();
   command.add_flag("--pictures", arguments->pictures,
                    "Write a picture of each import: the input beside the resulting valve");
+  add_farm_option(command, arguments->farm, "Import, close and plan the maps");
   command.add_flag("--json", arguments->json, "Print the summary as JSON");
   command.footer(
       "An interrupted study resumes when run again with the same directory; unchanged files are "

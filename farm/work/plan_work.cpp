@@ -20,7 +20,6 @@
 namespace coapt {
 namespace {
 
-constexpr std::int64_t kSampledFrom = 5;  // valves
 // How far honest shapes, which may come from a predicted start, are from where a closure takes them further: a fold of theirs may give way by
 // 5 mm. To compute a search again because of a shape that is right costs no more than its time.
 constexpr double kStaysWithin_mm = 1.0 /* rms */, kLeakWithin_mm2 = 0.5, kLeakWithin = 0.02;
@@ -207,8 +206,7 @@ Expected<Work> open_plan_work(const WorkRequest& request) {
     }
     return false;
   };
-  // One alone would take as long as the search that was asked for.
-  work.sampled_tasks = work.items >= kSampledFrom ? 1 : 0;
+  work.sampled_tasks = sampled_searches(work.items);
   return work;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gnu/libc-version.h>
 
+#include "farm/work/import_work.h"
 #include "farm/work/orifice_work.h"
 #include "farm/work/plan_work.h"
 #include "farm/work/population_work.h"
@@ -25,7 +26,8 @@ Expected<Work> open_alone(const WorkRequest& request, OrificeTables* /*tables*/)
 constexpr WorkKind kKinds[] = {{"orifices", open_orifice_work},
                                {"plans", open_alone<open_plan_work>},
                                {"members", open_alone<open_members_work>},
-                               {"records", open_alone<open_records_work>}};
+                               {"records", open_alone<open_records_work>},
+                               {"imports", open_alone<open_import_work>}};
 
 // Raise it with every change of how answers are packed, or of what an answer holds besides closures.
 constexpr int kAnswerRevision = 1;

@@ -19,7 +19,7 @@ namespace coapt {
 
 /// What decides every answer, together with work_revision(): requests of the same bytes are the same work.
 struct WorkRequest {
-  std::string kind;  ///< "orifices", "plans", "members", "records"
+  std::string kind;  ///< "orifices", "plans", "members", "records", "imports"
   /// The first a JSON document, the others (valves) named by it; each stored once by its content.
   std::vector<std::string> parts;
 };

@@ -39,6 +39,9 @@ std::string objection_of(const Expected<std::vector<T>>& answers, int count) {
          " are asked for";
 }
 
+/// Of tasks of a search each: one of a few would take as long as what was asked for.
+inline int sampled_searches(std::int64_t items) { return items >= 5 ? 1 : 0; }
+
 /// Little-endian, eight bytes each.
 void pack(std::string& bytes, std::uint64_t value);
 inline void pack(std::string& bytes, double value) {

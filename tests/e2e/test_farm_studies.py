@@ -34,7 +34,11 @@ QUICK = [
 
 def files(folder):
     """All but the closures, whose order is that of their making."""
-    return {path.name: path.read_bytes() for path in folder.iterdir() if not path.name.startswith("closures.sqlite")}
+    return {
+        path.name: path.read_bytes()
+        for path in folder.iterdir()
+        if path.is_file() and not path.name.startswith("closures.sqlite")
+    }
 
 
 @unittest.skipUnless(tool("initdb"), "PostgreSQL is not installed")
@@ -103,6 +107,20 @@ class FarmStudies(ProgramTest):
         self.assertEqual(of_many, of_one | {"seconds": None})
         alone = json.loads(coapt("plan", "human-functional-mr", *QUICK, "--json", "--farm", self.url).stdout)
         self.assertEqual(alone, of_many)
+
+    def test_imports_of_a_folder_are_the_same(self):
+        maps = self.folder / "maps"
+        maps.mkdir()
+        valve = self.make("human-normal")
+        self.run_ok("export", valve, "--open", "-o", maps / "sound.nrrd")
+        (maps / "damaged.nrrd").write_bytes((maps / "sound.nrrd").read_bytes()[:-40])
+        here, there = self.folder / "here", self.folder / "there"
+        study = ["study", "imports", maps, "--evaluations", 3, "--json"]
+        one = json.loads(self.run_ok(*study, "-o", here).stdout)
+        self.assertEqual((one["stages"]["refused"], one["stages"]["imported"]), (1, 0))
+        self.assertEqual(json.loads(self.by_farm(*study, "-o", there).stdout), one)
+        self.assert_same_files(here, there)
+        self.assertEqual((here / "valves/sound.nrrd.json").read_bytes(), (there / "valves/sound.nrrd.json").read_bytes())
 
     def test_a_service_hands_its_jobs_to_the_farm(self):
         server = Server(SERVER, self.folder / "jobs.sqlite", "--farm", self.url)

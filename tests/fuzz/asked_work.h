@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "farm/work/import_work.h"
 #include "farm/work/orifice_work.h"
 #include "farm/work/plan_work.h"
 #include "farm/work/population_work.h"
@@ -14,9 +15,9 @@
 
 namespace coapt {
 
-inline constexpr std::size_t kAskedKinds = 4, kAskedRecords = 2, kAskedPlans = 3;
+inline constexpr std::size_t kAskedKinds = 5, kAskedRecords = 2, kAskedPlans = 3;
 
-/// Of one item each: an orifice, a member, a record, a search on small_valve().
+/// Of one item each: an orifice, a member, a record, a search on small_valve(), an import.
 inline std::array<Work, kAskedKinds> asked_works() {
   const auto opened = [](const Expected<WorkRequest>& request) {
     Expected<Work> work = request ? open_work(*request) : request.errors();
@@ -36,7 +37,8 @@ inline std::array<Work, kAskedKinds> asked_works() {
   return {opened(orifice_request(small_valve(), {}, {ConfigurationKey{}})),
           opened(members_request(population.prior, 1, 1)),
           opened(records_request(population, 1, {.nodes = 1})),
-          opened(plan_request({small_valve()}, search))};
+          opened(plan_request({small_valve()}, search)),
+          opened(imports_request({{"skirt", {{"skirt.obj", "f 1 2 3"}}}}, {}))};
 }
 
 }  // namespace coapt
