@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "core/valve/counted.h"
-#include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
 #include "io/exchange/label_candidates.h"
+#include "io/exchange/label_doubts.h"
 #include "io/exchange/part_names.h"
 #include "io/image/label_curve.h"
 #include "io/image/label_surface.h"
-#include "io/image/label_voxels.h"
 
 namespace coapt {
 namespace {
@@ -299,17 +297,6 @@ LabelMap merged(const LabelMap& map, const std::vector<const LabelCandidate*>& l
   return one;
 }
 
-// Of a leaflet's voxels, in the outermost layer of the map: 0.4 % of one that is cropped tight, 5 % of one that is cut off.
-constexpr double kCutShare = 0.02;
-// The same of a layer inside the map that ends like a cut (docs/experiments.md).
-constexpr double kFlatShare = 0.0175;
-
-std::string frame_words(const LabelMap& map) {
-  const Vec3 edges = map.to_lps_mm.topLeftCorner<3, 3>().colwise().norm();
-  return "voxels of " + significant(edges[0], 3) + " x " + significant(edges[1], 3) + " x " +
-         significant(edges[2], 3) + " mm";
-}
-
 }  // namespace
 
 std::vector<SourcePart> labels_in(const LabelMap& map) {
@@ -359,49 +346,16 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
       Expected<Points> line = label_curve(whole, labels[0]->label);
       line ? void(parts.annulus_mm = *std::move(line)) : take(line.errors());
     } else {
-      const LabelVoxels voxels(whole, labels[0]->label);
-      const LabelBox box = voxels.box();
-      const auto is_more = [&box](Index count, double share) {
-        return static_cast<double>(count) > share * static_cast<double>(box.count);
-      };
-      if (const Index cut = voxels.at_border(); is_more(cut, kCutShare))
-        parts.decisions.push_back({"labels",
-                                   "the " + std::string(words_of(part)) +
-                                       " reaches the border of the label map, with " +
-                                       counted(cut, "voxel"),
-                                   "what lies beyond the border is missing", true, 0.5});
-      else if (const Index flat = voxels.flat_end(box); is_more(flat, kFlatShare))
-        parts.decisions.push_back({"labels",
-                                   "the " + std::string(words_of(part)) + " ends flat, with " +
-                                       counted(flat, "voxel") + " in one plane of voxels",
-                                   "it may have been cut off there", true, 0.5});
+      if (auto doubt = cut_off({whole, labels[0]->label}, words_of(part)))
+        parts.decisions.push_back(*std::move(doubt));
       Expected<TriangleMesh> surface = label_surface(whole, labels[0]->label);
       surface ? void(parts.leaflets.push_back(*std::move(surface))) : take(surface.errors());
     }
   }
   if (!problems.empty()) return std::move(problems).take();
   choice.tell_left_over(parts.decisions);
-  if (map.phases > 1)
-    parts.decisions.push_back(
-        {"labels",
-         "phase " + std::to_string(map.phase) + " of " + std::to_string(map.phases) + " is used",
-         with.phase_given ? "as given"
-                          : "it is the first phase with labels; use --phase to select another",
-         !with.phase_given, with.phase_given ? 1.0 : 0.5});
-  if (map.masks > 0)
-    parts.decisions.push_back(
-        {"labels",
-         std::to_string(map.masks) + " masks taken as one label each" +
-             (map.masks > map.layers ? ", one of them as the background" : ""),
-         "they contain only 0 and 1 and hardly overlap; use --phase if they are phases", true,
-         0.8});
-  if (!map.frame_doubt.empty())
-    parts.decisions.push_back(
-        {"labels", map.frame_doubt, "the header contradicts itself", true, 0.5});
-  parts.decisions.push_back(
-      {"labels", frame_words(map) + (map.placed ? ", in the patient's frame, LPS" : ""),
-       map.placed ? "stated in the label map"
-                  : "the label map does not state patient axes, so voxel axes are used"});
+  const std::vector<ImportDecision> more = map_decisions(map, with.phase_given);
+  parts.decisions.insert(parts.decisions.end(), more.begin(), more.end());
   return parts;
 }
 

@@ -37,6 +37,7 @@ class Offering {
 
  private:
   bool is_indicated(CarpentierType type) const;
+  std::string why_no_short_ring() const;  ///< empty: there may be one
   std::vector<std::string> offer_rings();
   std::vector<std::optional<Anchor>> offer_anchors(Side side);
   std::vector<int> offer_neochordae();
@@ -66,6 +67,11 @@ OfferedTechniques Offering::all() {
 
 bool Offering::is_indicated(CarpentierType type) const {
   return !diagnosis_ || may_be(*diagnosis_, type);
+}
+
+std::string Offering::why_no_short_ring() const {
+  if (!is_indicated(CarpentierType::IIIb)) return kNotTethered;
+  return diagnosis_ && surely_prolapses(*diagnosis_) ? "a segment prolapses besides" : "";
 }
 
 std::vector<std::string> Offering::offer_rings() {
@@ -108,12 +114,8 @@ std::vector<std::string> Offering::offer_rings() {
   for (const RingShape& shape : kRingShapes) {
     const std::string name(shape.name);
     const bool is_short = shape.ap_over_transverse < kDegenerativeRing;
-    if (is_short && !is_indicated(CarpentierType::IIIb)) {
-      offers_.cut.push_back({ring_called(name), kNotTethered});
-      continue;
-    }
-    if (is_short && diagnosis_ && surely_prolapses(*diagnosis_)) {
-      offers_.cut.push_back({ring_called(name), "a segment prolapses besides"});
+    if (const std::string why = is_short ? why_no_short_ring() : ""; !why.empty()) {
+      offers_.cut.push_back({ring_called(name), why});
       continue;
     }
     sizes.clear();

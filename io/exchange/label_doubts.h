@@ -1,0 +1,20 @@
+// What a person should know of a label map, whatever its labels are.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/image/label_map.h"
+#include "io/image/label_voxels.h"
+#include "io/mesh/import_valve.h"
+
+namespace coapt {
+
+/// Of a leaflet that seems to go on beyond its voxels.
+std::optional<ImportDecision> cut_off(const LabelVoxels& voxels, const std::string& leaflet);
+
+/// On its phase, masks and frame.
+std::vector<ImportDecision> map_decisions(const LabelMap& map, bool phase_given);
+
+}  // namespace coapt
