@@ -22,8 +22,13 @@ import type {
   ValveDocument,
 } from './types'
 
-/// `valve`: a preset's name or a stored valve's id. `frames`: states of the closing, at most.
-export function drawScene(valve: string, plan: Plan | null, frames: number, signal?: AbortSignal): Promise<Scene> {
+/// `valve`: a preset's name, a stored valve's id, or its document. `frames`: states of the closing, at most.
+export function drawScene(
+  valve: string | ValveDocument,
+  plan: Plan | null,
+  frames: number,
+  signal?: AbortSignal,
+): Promise<Scene> {
   return postJson('/v1/scenes', { valve, frames, ...(plan ? { plan } : {}) }, signal)
 }
 

@@ -13,6 +13,7 @@ import { Viewer } from '../viewer/viewer'
 import type { Sight } from '../viewer/stage'
 import type { Workspace } from '../workspace'
 import { certainty } from './certainty'
+import { howSure } from './how_sure'
 import { DistanceTool } from './distance'
 import { Diastole } from './diastole'
 import { diagnosisLine, headline } from './headline'
@@ -80,6 +81,7 @@ export class ValveView implements View {
           h('h2', {}, 'Measured'),
           this.diastole.element,
           certainty(workspace, false),
+          howSure(workspace),
           this.measures,
         ),
         this.looks.element,

@@ -55,6 +55,14 @@ test('the first look, and what scripts are told of it', async () => {
   )
 })
 
+test('the closed valve with soft and stiff leaflets', async () => {
+  await press('How sure is the shape?')
+  await page.getByText(/stiffness of the leaflets alone/).waitFor()
+  await looksWell('how-sure', { theme: 'dark' })
+  await page.reload()
+  await named('human-functional-mr')
+})
+
 test('a cut turns the valve so that it is seen; the clock stands around the valve from above', async () => {
   await page.getByLabel('Cut', { exact: true }).check()
   await page.locator('[data-part=section]').waitFor()
