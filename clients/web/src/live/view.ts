@@ -205,7 +205,7 @@ export class LiveView implements View {
     if (this.valve) {
       const { scene } = this.valve
       this.hooks.tell(picture, this.valve)
-      this.echo.tell(scene, picture.nodes, cutPoint(scene, this.canvas.look.cut ?? 0), picture.at_rest)
+      this.echo.tell(scene, [picture.nodes], cutPoint(scene, this.canvas.look.cut ?? 0), picture.at_rest)
     }
     if (this.workspace.story) {
       this.pull(picture)

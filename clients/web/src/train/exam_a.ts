@@ -1,4 +1,5 @@
-// A trial of exam A (thesis 3.2.2): four closed valves, one of them flaccid under the hook, the four again and a choice.
+// A trial of exam A (thesis 3.2.2): four closed valves, one of them flaccid under the hook, the four again and a choice. The closed ones
+// have an echo; that of the flaccid one would show heights that are to be felt.
 import { button, h } from '../dom'
 import parts from '../style/parts.module.css'
 import type { Analysis } from './analysis'
@@ -35,6 +36,7 @@ export async function trialA(made: CaseA, at: TrialParts): Promise<Judged> {
   )
   frame.show(title, 'Four valves under pressure. Rotate them as you like; they rotate together.', four.element, [
     look,
+    four.echo.element,
     aside,
   ])
   await pressed(go, signal)
@@ -65,6 +67,7 @@ export async function trialA(made: CaseA, at: TrialParts): Promise<Judged> {
   four.ask(true)
   frame.show(title, 'Which of the four does the valve become under pressure?', four.element, [
     panel('3. Choose', h('p', {}, 'Choose a valve below its picture.'), confidence.element, answer),
+    four.echo.element,
     aside,
   ])
   const clock = new Clock(() => {})

@@ -1,6 +1,8 @@
 // The four closed valves of exam A, turned together; one of them can be chosen. Leaflets alone: chordae would tell the lesions.
 import type { ValveShape, Vector } from '../api/types'
-import { h } from '../dom'
+import { field, h } from '../dom'
+import { EchoPanel } from '../echo/panel'
+import { cutPoint } from '../live/drawing'
 import { cornerColours, rgb } from '../viewer/colours'
 import { at } from '../viewer/geometry'
 import { Labels } from '../viewer/labels'
@@ -19,6 +21,7 @@ const CHOICES = [1, 2, 3, 4]
 
 export class FourValves {
   readonly element: HTMLElement
+  readonly echo = new EchoPanel(CHOICES.map((choice) => `Valve ${choice}`))
   onChoice: (choice: number) => void = () => {}
   private readonly stages: Stage[]
   private readonly radios: HTMLInputElement[]
@@ -26,7 +29,16 @@ export class FourValves {
   private readonly labels: Labels[]
   private scene: ValveShape | null = null
   private leaflets: Leaflets[] = []
+  private closed_mm: readonly (readonly number[])[] = []
   private held: Vector[] = [] // vertices of all four
+  private readonly cut = h('input', {
+    type: 'range',
+    min: -1,
+    max: 1,
+    step: 0.05,
+    value: 0,
+    oninput: () => this.tellEcho(),
+  })
 
   constructor() {
     this.stages = CHOICES.map(
@@ -34,6 +46,7 @@ export class FourValves {
     )
     const [first, ...others] = this.stages as [Stage, ...Stage[]]
     for (const other of others) first.pair(other)
+    this.echo.element.append(field('Position of the cut', this.cut))
     this.radios = CHOICES.map((choice) =>
       h('input', { type: 'radio', name: 'closed-valve', value: choice, onchange: () => this.onChoice(choice) }),
     )
@@ -71,9 +84,17 @@ export class FourValves {
       this.leaflets[i] = leaflets
     }
     this.held = closed_mm.flatMap((points) => Array.from({ length: points.length / 3 }, (_, i) => at(points, i)))
+    this.closed_mm = closed_mm
     this.scene = scene
+    this.cut.value = '0'
+    this.tellEcho()
     this.mark(null)
     this.view('oblique')
+  }
+
+  private tellEcho(): void {
+    const { scene, closed_mm } = this
+    if (scene) this.echo.tell(scene, closed_mm, cutPoint(scene, Number(this.cut.value)), true)
   }
 
   /// One segment in its colour and with its name, the others pale; null: all as they are.

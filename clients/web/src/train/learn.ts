@@ -4,6 +4,8 @@ import { button, field, h } from '../dom'
 import { number } from '../format'
 import { LiveCanvas } from '../live/canvas'
 import { HookPanel, lookControls, Pressure } from '../live/controls'
+import { EchoPanel } from '../echo/panel'
+import { cutPoint } from '../live/drawing'
 import { liveLegend } from '../live/legend'
 import { liveScripts } from '../live/scripting'
 import { problemList } from '../problems'
@@ -35,6 +37,7 @@ export class Learn {
   private readonly pressure = new Pressure((mmhg) => this.press(mmhg))
   private readonly hooks = new HookPanel(this.canvas)
   private readonly pull = new ShownPull(this.canvas)
+  private readonly echo = new EchoPanel()
   private readonly examples = h('div', { 'data-part': 'exemplars' })
   private readonly legend = h('div', {})
   private readonly told = h('div', {})
@@ -91,6 +94,7 @@ export class Learn {
         panel('Examples', this.told, this.examples, field('Case', this.seed)),
         panel('Press and pull', this.pressure.element, this.hooks.element),
         looks,
+        this.echo.element,
         back,
       ],
     )
@@ -128,9 +132,11 @@ export class Learn {
       this.isPressed = false
       this.pressure.begin(live)
       this.pressure.set(0)
+      const { look } = this.canvas
       this.canvas.onPicture = (picture) => {
         this.hooks.tell(picture, live)
         this.pull.follow(picture)
+        this.echo.tell(live.scene, [picture.nodes], cutPoint(live.scene, look.cut ?? 0), picture.at_rest)
       }
       this.pull.set(live.scene.plane.normal, made.limits.pull_n)
       this.tell(made)

@@ -48,8 +48,22 @@ test('exam A: four closed valves, the flaccid one under the hook, a choice; noth
   await page.getByLabel('Learner').fill('7')
   await press('Start')
   await task('Four valves under pressure')
+  await page.getByText('Synthetic echo', { exact: true }).click()
+  const grey = () =>
+    page.locator('[data-part=echo] canvas').evaluateAll((all) =>
+      all.map((canvas) => {
+        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height)
+        return data.reduce((sum, value) => sum + value, 0)
+      }),
+    )
+  const middle = await grey()
+  assert.equal(new Set(middle).size, 4, 'each valve has its own')
+  await page.getByRole('slider', { name: 'Position of the cut' }).fill('0.5')
+  assert.notDeepEqual(await grey(), middle)
+  assert.deepEqual(await accessProblems(page), [])
   await press('Continue to the flaccid valve')
   await page.locator('[data-part=clock]', { hasText: /^(3:00|2:\d\d) left$/ }).waitFor()
+  assert.equal(await page.locator('[data-part=echo]').count(), 0, 'it would show heights')
   await pull('P1', 12)
   await pull('AC', 12)
   assert.deepEqual(await accessProblems(page), [])
