@@ -211,12 +211,36 @@ namespace {
 
 /// Of any number of leaflets; what an import decides of a mitral valve is not asked.
 Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest& asked) {
-  if (!asked.observed.empty())
-    return Error{ErrorCode::Unsupported, "/observed",
-                 "applies to mitral valves and cannot be given with a finite element model"};
-  if (asked.fit)
-    return Error{ErrorCode::Unsupported, "/fit",
-                 "requires a mitral valve, not a finite element model"};
+  const ImportReading& reading = asked.reading;
+  const LabelNumbers& numbers = reading.labels;
+  const ImportOptions& options = asked.options;
+  ProblemList problems;
+  for (const auto& [given, path] :
+       {std::pair(asked.leaflets.has_value(), "/leaflets"),
+        {asked.labels.has_value(), "/labels"},
+        {asked.annulus.has_value(), "/annulus"},
+        {asked.chordae.has_value(), "/chordae"},
+        {asked.tips.has_value(), "/tips"},
+        {asked.landmarks_file || any_placed(asked.landmarks), "/landmarks"},
+        {!numbers.anterior.empty() || !numbers.posterior.empty() || !numbers.annulus.empty(),
+         "/label_numbers"},
+        {reading.phase > 0, "/phase"},
+        {reading.axes.has_value(), "/frame"},
+        {reading.series.has_value(), "/grid"},
+        {options.units.has_value(), "/units"},
+        {options.closed.has_value(), "/closed"},
+        {options.chordae_seed.has_value(), "/chordae_seed"},
+        {options.thickness_mm.has_value(), "/thickness_mm"},
+        {options.thickness_measured, "/thickness_measured"},
+        {options.trust_labels, "/trust_labels"},
+        {options.flip, "/flip"},
+        {options.mirrored, "/mirrored"},
+        {!asked.observed.empty(), "/observed"},
+        {asked.fit.has_value(), "/fit"}})
+    if (given)
+      problems.add(ErrorCode::Unsupported, path,
+                   "applies to mitral valves and cannot be given with a finite element model");
+  if (!problems.empty()) return std::move(problems).take();
   Expected<Valve> valve = read_abaqus_valve(file.bytes, {asked.name, asked.provenance});
   if (!valve) {
     Errors errors = valve.errors();

@@ -21,7 +21,7 @@ struct FitRequest {
 
 struct ImportRequest {
   std::optional<std::vector<NamedFile>>
-      files;  ///< whose parts are detected; a folder of SlicerHeart; or a finite element model alone
+      files;  ///< whose parts are detected; or a finite element model alone
   std::optional<std::vector<NamedFile>> leaflets, slicerheart;
   std::optional<NamedFile> annulus, chordae, tips, labels,
       voxels;  ///< of labels that are a header alone

@@ -27,29 +27,6 @@ Expected<std::optional<NamedFile>> whole_labels(const ImportRequest& asked) {
       NamedFile{asked.labels->name, attached(asked.labels->bytes, asked.voxels->bytes)});
 }
 
-/// Parts that have a member of their own, beside those that were sorted.
-Errors add_named(ImportRequest& asked, ImportFiles& files) {
-  ProblemList problems;
-  const auto add = [&](auto given, auto& place, bool is_there, const char* path) {
-    if (!given) return;
-    if (is_there) problems.add(ErrorCode::UnknownField, path, "is also among the files");
-    place = *std::move(given);
-  };
-  Expected<std::optional<NamedFile>> labels = whole_labels(asked);
-  if (!labels) return labels.errors();
-  add(*std::move(labels), files.labels, files.labels.has_value(), "/labels");
-  add(std::move(asked.annulus), files.annulus, files.annulus.has_value(), "/annulus");
-  add(std::move(asked.chordae), files.chordae, files.chordae.has_value(), "/chordae");
-  add(std::move(asked.tips), files.tips, files.tips.has_value(), "/tips");
-  add(std::move(asked.landmarks_file), files.landmarks, files.landmarks.has_value(), "/landmarks");
-  if (asked.leaflets) {
-    add(std::move(asked.leaflets), files.leaflets, !files.leaflets.empty(), "/leaflets");
-    files.posterior_from.reset();
-    files.order = {};
-  }
-  return std::move(problems).take();
-}
-
 }  // namespace
 
 Expected<std::optional<NamedFile>> model_among(const std::vector<NamedFile>& files) {
@@ -64,11 +41,9 @@ Expected<std::optional<NamedFile>> model_among(const std::vector<NamedFile>& fil
   return std::optional(*model);
 }
 
-Expected<ImportSource> RequestedSource::read_folder(const std::vector<NamedFile>& folder,
-                                                    const char* member,
-                                                    const ImportRequest& asked) {
-  folder_ = member;
-  Expected<ImportSource> source = read_slicerheart(folder);
+Expected<ImportSource> RequestedSource::read_folder(const ImportRequest& asked) {
+  is_folder_ = true;
+  Expected<ImportSource> source = read_slicerheart(*asked.slicerheart);
   if (!source) return as_requested(source.errors());
   if (!asked.landmarks_file) return source;
   ImportFiles landmarks;
@@ -83,14 +58,51 @@ Expected<ImportSource> RequestedSource::read_folder(const std::vector<NamedFile>
   return source;
 }
 
+/// Empty: nothing that the request names.
+std::string RequestedSource::place_of(const std::string& pointer) const {
+  const auto place = std::find_if(places_.begin(), places_.end(),
+                                  [&](const auto& from_to) { return from_to.first == pointer; });
+  return place == places_.end() ? "" : place->second;
+}
+
+/// Parts that have a member of their own, beside those that were detected.
+Errors RequestedSource::add_named(ImportRequest& asked, ImportFiles& files) {
+  ProblemList problems;
+  const auto add = [&](auto given, auto& place, const std::string& path) {
+    if (!given) return;
+    const std::string detected = place_of(path == "/leaflets" ? "/leaflets/0" : path);
+    if (!detected.empty())
+      problems.add(ErrorCode::UnknownField, path,
+                   "cannot be given, because file " +
+                       std::to_string(std::stoi(detected.substr(detected.rfind('/') + 1)) + 1) +
+                       " of the files is that part, too");
+    place = *std::move(given);
+    if (path != "/leaflets") places_.emplace_back(path, path);
+  };
+  Expected<std::optional<NamedFile>> labels = whole_labels(asked);
+  if (!labels) return labels.errors();
+  add(*std::move(labels), files.labels, "/labels");
+  add(std::move(asked.annulus), files.annulus, "/annulus");
+  add(std::move(asked.chordae), files.chordae, "/chordae");
+  add(std::move(asked.tips), files.tips, "/tips");
+  add(std::move(asked.landmarks_file), files.landmarks, "/landmarks");
+  if (asked.leaflets) {
+    add(std::move(asked.leaflets), files.leaflets, "/leaflets");
+    files.posterior_from.reset();
+    files.order = {};
+    for (std::size_t i = 0; i < files.leaflets.size(); ++i) {
+      const std::string path = "/leaflets/" + std::to_string(i);
+      places_.emplace_back(path, path);
+    }
+  }
+  return std::move(problems).take();
+}
+
 Expected<ImportSource> RequestedSource::read(ImportRequest asked) {
-  if (asked.slicerheart) return read_folder(*asked.slicerheart, "/slicerheart", asked);
+  if (asked.slicerheart) return read_folder(asked);
   ImportFiles files;
   std::vector<ImportDecision> decisions;
   if (asked.files) {
-    std::vector<std::string> names;
-    for (const NamedFile& file : *asked.files) names.push_back(file.name);
-    if (is_slicerheart_folder(names)) return read_folder(*asked.files, "/files", asked);
     Expected<SortedFiles> sorted = sorted_files(*std::move(asked.files));
     if (!sorted) return sorted.errors();
     for (const auto& [pointer, file] : sorted->places)
@@ -99,18 +111,25 @@ Expected<ImportSource> RequestedSource::read(ImportRequest asked) {
     decisions = std::move(sorted->decisions);
   }
   if (Errors errors = add_named(asked, files); !errors.empty()) return errors;
+  if (files.labels)
+    whole_ = place_of("/labels");
+  else if (files.leaflets.size() == 1)
+    whole_ = place_of("/leaflets/0");
   const LabelNumbers& numbers = asked.reading.labels;
   const bool numbered =
       !numbers.anterior.empty() || !numbers.posterior.empty() || !numbers.annulus.empty();
-  if (numbered && !files.labels && files.leaflets.size() != 1)
+  if (numbered && whole_.empty())
     return Error{ErrorCode::UnknownField, "/label_numbers",
                  "requires a label map, or one file with several parts"};
   if (files.leaflets.empty() && !files.labels && !asked.reading.series)
-    return Error{ErrorCode::MissingField, "/leaflets",
-                 "is missing: none of the files has the leaflets (meshes or a label map)"};
+    return Error{ErrorCode::MissingField, "/files",
+                 "include neither meshes nor a label map of the leaflets"};
   Expected<ImportSource> source = read_import_files(files, asked.reading);
   if (!source) return as_requested(source.errors());
   source->decisions.insert(source->decisions.begin(), decisions.begin(), decisions.end());
+  if (asked.reading.phase > 0 && !files.labels)
+    source->decisions.push_back(
+        {"options", "phase not used", "there is no label map of several phases", true});
   return source;
 }
 
@@ -122,10 +141,10 @@ Errors RequestedSource::as_requested(Errors errors) const {
     if (error.path.starts_with("/landmarks/") && error.path.ends_with("_mm"))
       error.path.resize(error.path.size() - 3);
     if (error.path == "/series") error.path = "/grid";
-    if (!folder_.empty()) {
+    if (is_folder_) {
       if (error.path.starts_with("/landmarks")) continue;
       if (!error.path.empty()) error.message = error.path + ": " + error.message;
-      error.path = folder_;
+      error.path = "/slicerheart";
       continue;
     }
     const auto place = std::find_if(places_.begin(), places_.end(), [&](const auto& from_to) {
@@ -134,10 +153,11 @@ Errors RequestedSource::as_requested(Errors errors) const {
     if (place != places_.end()) {
       // Chordae and tips are numbered by their lists.
       const bool is_list = place->first == "/chordae" || place->first == "/tips";
-      error.path = place->second + error.path.substr(is_list ? 0 : place->first.size());
-    } else if (places_.size() == 1 &&
+      if (place->first != place->second)
+        error.path = place->second + error.path.substr(is_list ? 0 : place->first.size());
+    } else if (!whole_.empty() &&
                (is_at(error.path, "/leaflets") || is_at(error.path, "/annulus"))) {
-      error.path = places_[0].second;  // leaflets and annulus of one file are its parts
+      error.path = whole_;  // they are its parts
     }
   }
   return errors;

@@ -9,7 +9,7 @@
 
 namespace coapt {
 
-/// A finite element model of a valve that need not be mitral, if that is what `files` are. Errors: "/files/I".
+/// A finite element model of a valve that need not be mitral, if that is what `files` are. Errors: "/files/I", beside others.
 Expected<std::optional<NamedFile>> model_among(const std::vector<NamedFile>& files);
 
 class RequestedSource {
@@ -21,12 +21,14 @@ class RequestedSource {
   Errors as_requested(Errors errors) const;
 
  private:
-  Expected<ImportSource> read_folder(const std::vector<NamedFile>& folder, const char* member,
-                                     const ImportRequest& asked);
+  Expected<ImportSource> read_folder(const ImportRequest& asked);
+  Errors add_named(ImportRequest& asked, ImportFiles& files);
+  std::string place_of(const std::string& pointer) const;
 
-  std::string folder_;  ///< "/slicerheart" or "/files"; empty: none
+  bool is_folder_ = false;  ///< of SlicerHeart
   std::vector<std::pair<std::string, std::string>>
-      places_;  ///< a pointer into ImportFiles, that of the request
+      places_;         ///< a pointer into ImportFiles, that of the request
+  std::string whole_;  ///< of the one file that holds both leaflets; empty: none
 };
 
 }  // namespace coapt

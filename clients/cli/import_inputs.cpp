@@ -91,22 +91,16 @@ int read_file(const std::string& path, const std::string& pointer, std::optional
   return exit_code::kOk;
 }
 
-/// With what they refer to.
 int read_bare(std::vector<std::string> paths, std::vector<NamedFile>& files, ImportPlaces& places) {
-  const std::size_t given = paths.size();
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const fs::path path = paths[i];
-    Expected<NamedFile> source = read_import_file(path, i >= given);
-    if (!source) return report_errors(path, source.errors());
-    files.push_back(*std::move(source));
-    places.emplace_back("/files/" + std::to_string(i), path);
-    const Expected<std::vector<std::string>> companions = companions_of(files.back());
-    if (!companions) return report_errors(path, companions.errors());
-    for (const std::string& name : *companions)
-      if (const std::string beside = path.parent_path() / name;
-          std::find(paths.begin(), paths.end(), beside) == paths.end())
-        paths.push_back(beside);
+  Expected<std::vector<NamedFile>> read = read_with_companions(paths);
+  if (!read) {
+    for (const Error& error : read.errors())
+      report_errors(error.path, {{error.code, "", error.message}});
+    return exit_code::kBadInput;
   }
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    places.emplace_back("/files/" + std::to_string(i), paths[i]);
+  files = *std::move(read);
   return exit_code::kOk;
 }
 
@@ -178,6 +172,29 @@ std::string without_numbers(const Error& error) {
   return text;
 }
 
+/// What a user calls members of the request: options that were given, else the things themselves.
+std::map<std::string, std::string> words_of_request(const ImportPlaces& places) {
+  std::map<std::string, std::string> words = {{"/label_numbers", "--label"},
+                                              {"/frame", "--frame"},
+                                              {"/grid", "--series"},
+                                              {"/closed", "--state"},
+                                              {"/chordae_seed", "--chordae synthesise"},
+                                              {"/thickness_measured", "--thickness"},
+                                              {"/thickness_mm", "--thickness"},
+                                              {"/files", "the files"}};
+  for (const auto& [pointer, option, thing] : {std::tuple("/leaflets", "--leaflet", "the leaflets"),
+                                               {"/labels", "--labels", "the label map"},
+                                               {"/annulus", "--annulus", "the annulus"},
+                                               {"/chordae", "--chordae", "the chordae"},
+                                               {"/tips", "--tips", "the papillary tips"}}) {
+    const bool given = std::any_of(places.begin(), places.end(), [&](const auto& place) {
+      return place.first.starts_with(pointer);
+    });
+    words[pointer] = given ? option : thing;
+  }
+  return words;
+}
+
 /// Whether a file may hold the voxels of a map, by its name.
 bool may_hold_voxels(const std::string& path) {
   const std::string format = format_of(path);
@@ -226,6 +243,40 @@ Expected<NamedFile> read_import_file(const std::string& path, bool is_map) {
   return NamedFile{name, *std::move(bytes)};
 }
 
+Expected<std::vector<NamedFile>> read_with_companions(std::vector<std::string>& paths) {
+  const auto errors_at = [](const std::string& path, Errors errors) {
+    for (Error& error : errors) error.path = path;
+    return errors;
+  };
+  const auto place = [](const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(path, ignored);
+  };
+  std::vector<NamedFile> files;
+  std::vector<std::string> named_by(paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const fs::path path = paths[i];
+    Expected<NamedFile> source = read_import_file(path, !named_by[i].empty());
+    if (!source && !named_by[i].empty())
+      return Error{
+          ErrorCode::InputOutput, named_by[i],
+          "refers to " + path.filename().string() + ", which " + source.errors()[0].message};
+    if (!source) return errors_at(path, source.errors());
+    files.push_back(*std::move(source));
+    const Expected<std::vector<std::string>> companions = companions_of(files.back());
+    if (!companions) return errors_at(path, companions.errors());
+    for (const std::string& name : *companions) {
+      const fs::path beside = path.parent_path() / name;
+      if (std::any_of(paths.begin(), paths.end(),
+                      [&](const std::string& known) { return place(known) == place(beside); }))
+        continue;
+      paths.push_back(beside);
+      named_by.push_back(path);
+    }
+  }
+  return files;
+}
+
 /// With what the pointer says inside the file; chordae and tips are numbered by their lists. What is the same but for its place is said
 /// three times and counted.
 int report_import_errors(const Errors& errors, const ImportPlaces& places) {
@@ -246,15 +297,10 @@ int report_import_errors(const Errors& errors, const ImportPlaces& places) {
       of_file = true;
       if (pointer != "/chordae" && pointer != "/tips") error.path.erase(0, pointer.size());
     }
-    if (error.path.starts_with("/label_numbers")) error.path.replace(0, 14, "/label");
     if (of_file)
       report_errors(source, {error});
     else
-      report_option_errors("valve import", {error},
-                           {{"/leaflets", "--leaflet"},
-                            {"/chordae_seed", "--chordae synthesise"},
-                            {"/thickness_measured", "--thickness"},
-                            {"/thickness_mm", "--thickness"}});
+      report_option_errors("valve import", {error}, words_of_request(places));
   }
   return exit_code::kBadInput;
 }

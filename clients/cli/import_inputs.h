@@ -38,6 +38,9 @@ struct FolderFiles {
 };
 FolderFiles importable(const std::vector<std::string>& paths);
 
+/// The files at these paths and, as further ones, those that they name. Errors: at the path of the file.
+Expected<std::vector<NamedFile>> read_with_companions(std::vector<std::string>& paths);
+
 /// A file of those, a DICOM segmentation as the label map that it holds. @param is_map whatever its name: as large as maps may be,
 /// where other files may have kMostInputBytes. Errors have no path.
 Expected<NamedFile> read_import_file(const std::string& path, bool is_map = false);

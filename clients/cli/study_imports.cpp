@@ -13,16 +13,20 @@
 #include "clients/cli/commands.h"
 #include "clients/cli/farm_option.h"
 #include "clients/cli/import_inputs.h"
+#include "core/valve/counted.h"
+#include "core/valve/printable.h"
 #include "farm/work/import_work.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
 #include "io/command_line/progress_bar.h"
+#include "io/exchange/slicerheart.h"
 #include "io/json/parse_json.h"
 #include "io/json/subject.h"
 #include "io/picture/csv_lines.h"
 #include "io/picture/import_picture.h"
+#include "search/threads.h"
 
 namespace coapt {
 namespace {
@@ -41,21 +45,32 @@ constexpr std::size_t kBytesAtOnce = std::size_t{256} << 20;  // of the files th
 struct Subject {
   std::string name;
   std::vector<std::string> paths;
+  bool slicerheart = false;  ///< such a folder
 };
 
-Expected<std::vector<Subject>> subjects_in(const std::string& folder) {
+struct Subjects {
+  std::vector<Subject> all;
+  int left_out = 0;  ///< entries of the folder that are neither
+};
+
+Expected<Subjects> subjects_in(const std::string& folder) {
   std::error_code failed;
-  std::vector<Subject> subjects;
+  Subjects found;
+  std::vector<Subject>& subjects = found.all;
   for (auto entry = fs::directory_iterator(folder, failed);
        !failed && entry != fs::directory_iterator(); entry.increment(failed)) {
     std::error_code ignored;
     Subject subject{entry->path().filename(), {}};
     if (entry->is_directory(ignored)) {
       if (const auto files = files_of(entry->path())) subject.paths = importable(*files).paths;
+      subject.slicerheart = is_slicerheart_folder(subject.paths);
     } else if (entry->is_regular_file(ignored) && is_label_map_format(format_of(subject.name))) {
       subject.paths = {entry->path()};
     }
-    if (!subject.paths.empty()) subjects.push_back(std::move(subject));
+    if (!subject.paths.empty())
+      subjects.push_back(std::move(subject));
+    else if (!subject.name.starts_with('.'))
+      ++found.left_out;
   }
   if (failed) return Error{ErrorCode::InputOutput, "", "cannot be opened as a folder"};
   if (subjects.empty())
@@ -63,7 +78,7 @@ Expected<std::vector<Subject>> subjects_in(const std::string& folder) {
                  "has no label map (.nrrd, .nii, .mha, .gz, .bz2) and no folder with files"};
   std::sort(subjects.begin(), subjects.end(),
             [](const Subject& a, const Subject& b) { return a.name < b.name; });
-  return subjects;
+  return found;
 }
 
 /// What was done before, by the id of its bytes. A line that a killed study left half is not there.
@@ -91,23 +106,26 @@ std::string table_of(const std::vector<Json>& rows) {
 }
 
 /// What messages have in common: without their numbers.
-std::string without_numbers(const std::string& reason) {
-  std::string kind;
-  for (const char c : reason)
-    if (std::isdigit(static_cast<unsigned char>(c)) == 0)
-      kind += c;
-    else if (!kind.ends_with('#'))
-      kind += '#';
-  return kind;
+std::string without_numbers(std::string reason) {
+  std::erase_if(reason, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return reason;
 }
 
-Json summary_of(const std::vector<Json>& rows) {
-  std::map<std::string, int> stages, reasons, looks;
+/// How often each reason is there, by the first of those that differ in numbers alone.
+std::map<std::string, int> counted_reasons(const std::vector<Json>& rows) {
+  std::map<std::string, std::string> firsts;
+  std::map<std::string, int> counts;
+  for (const Json& row : rows)
+    if (const std::string reason = row.value("reason", std::string()); !reason.empty())
+      ++counts[firsts.try_emplace(without_numbers(reason), reason).first->second];
+  return counts;
+}
+
+Json summary_of(const std::vector<Json>& rows, int left_out) {
+  std::map<std::string, int> stages, looks;
   int unlooked = 0;
   for (const Json& row : rows) {
     ++stages[row["stage"].get<std::string>()];
-    if (const std::string reason = row.value("reason", std::string()); !reason.empty())
-      ++reasons[without_numbers(reason)];
     const Json said = row.value("looks", Json::array());
     for (const Json& look : said) {
       const std::string text = look.get<std::string>();
@@ -115,17 +133,18 @@ Json summary_of(const std::vector<Json>& rows) {
     }
     if (row["stage"] != "refused" && said.empty()) ++unlooked;
   }
-  Json summary = result_document("coapt.imports_study/1", {{"maps", rows.size()}});
+  Json summary =
+      result_document("coapt.imports_study/1", {{"maps", rows.size()}, {"left_out", left_out}});
   for (const char* stage : kImportStages) summary["stages"][stage] = stages[stage];
   summary["nothing_to_look_at"] = unlooked;
-  summary["reasons"] = reasons;
+  summary["reasons"] = counted_reasons(rows);
   summary["looks"] = looks;
   return summary;
 }
 
-int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows) {
+int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows, int left_out) {
   const fs::path directory = arguments.directory;
-  Json summary = summary_of(rows);
+  Json summary = summary_of(rows, left_out);
   Json document = summary;
   document["imports"] = rows;
   if (const int failed = write_output(directory / "imports.csv", table_of(rows))) return failed;
@@ -139,7 +158,10 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
     std::cout << stage << ": " << summary["stages"][stage] << " of " << rows.size() << '\n';
   std::cout << "imported without a decision to check: " << summary["nothing_to_look_at"] << '\n';
   for (const auto& [reason, count] : summary["reasons"].items())
-    std::cout << count << " x " << reason << '\n';
+    std::cout << count << " x " << printable(reason) << '\n';
+  if (left_out > 0)
+    std::cout << counted(left_out, "entry", "entries")
+              << " of the folder not used: neither label maps nor folders with files of a valve\n";
   std::cout << "Written to " << (directory / "imports.csv").string() << '\n';
   return exit_code::kOk;
 }
@@ -171,7 +193,7 @@ class ImportsStudy {
     // A farm takes many at once; here each row is kept soon after it is made.
     const std::size_t at_once = !arguments_.farm.empty()     ? std::size_t{10'000}
                                 : arguments_.evaluations > 0 ? std::size_t{1}
-                                                             : std::size_t{16};
+                                                             : std::size_t(all_cores());
     Pending pending;
     for (std::size_t i = 0; i < subjects_.size() && !interrupted_; ++i) {
       take(i, pending);
@@ -195,25 +217,26 @@ class ImportsStudy {
   /// Its row is known, or it is pending.
   void take(std::size_t index, Pending& pending) {
     const Subject& subject = subjects_[index];
-    ImportCase one{subject.name, {}};
+    ImportCase one{subject.name, {}, subject.slicerheart};
+    std::vector<std::string> paths = subject.paths;
+    Expected<std::vector<NamedFile>> files = read_with_companions(paths);
+    if (!files) {
+      rows_[index] = {{"name", subject.name},
+                      {"stage", "refused"},
+                      {"reason", files.errors()[0].message},
+                      {"looks", Json::array()}};
+      return;
+    }
+    one.files = *std::move(files);
     std::size_t bytes = 0;
     std::string all = closures_revision() + ' ' + std::to_string(arguments_.evaluations) + ' ' +
                       std::to_string(arguments_.seed);
-    for (const std::string& path : subject.paths) {
-      Expected<NamedFile> file = read_import_file(path);
-      if (!file) {
-        rows_[index] = {{"name", subject.name},
-                        {"stage", "refused"},
-                        {"reason", file.errors()[0].message},
-                        {"looks", Json::array()}};
-        return;
-      }
-      bytes += file->bytes.size();
-      all += '\n' + file->name + '\n' + fnv1a_128(file->bytes);
-      one.files.push_back(*std::move(file));
+    for (const NamedFile& file : one.files) {
+      bytes += file.bytes.size();
+      all += '\n' + file.name + '\n' + fnv1a_128(file.bytes);
     }
     std::string id = fnv1a_128(all);
-    if (const auto found = kept_.find(id); found != kept_.end()) {
+    if (const auto found = kept_.find(id); found != kept_.end() && is_whole(found->second)) {
       rows_[index] = found->second;
       rows_[index]["name"] = subject.name;
       return;
@@ -222,6 +245,17 @@ class ImportsStudy {
     pending.ids.push_back(std::move(id));
     pending.rows.push_back(index);
     pending.bytes += bytes;
+  }
+
+  /// Whether its files are still there, and all that are asked for.
+  bool is_whole(const Json& row) const {
+    const fs::path directory = arguments_.directory;
+    std::error_code ignored;
+    if (!row.contains("valve") || !row["valve"].is_string()) return true;
+    const fs::path valve = row["valve"].get<std::string>();
+    const fs::path picture = "pictures" / valve.stem().concat(".png");
+    return fs::exists(directory / valve, ignored) &&
+           (!arguments_.pictures || fs::exists(directory / picture, ignored));
   }
 
   Errors ask(const Pending& pending) {
@@ -261,7 +295,7 @@ class ImportsStudy {
 
   void draw(const ImportCase& one) const {
     ImportRequest request;
-    request.files = one.files;
+    (one.slicerheart ? request.slicerheart : request.files) = one.files;
     request.reading.most_unpacked = kMostUnpacked;
     request.seed = arguments_.seed;
     if (const Expected<ImportedValve> made = make_import(std::move(request), {}))
@@ -281,7 +315,7 @@ class ImportsStudy {
 
 int run(const StudyImportsArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
-  Expected<std::vector<Subject>> subjects = subjects_in(arguments.folder);
+  Expected<Subjects> subjects = subjects_in(arguments.folder);
   if (!subjects) return report_errors(arguments.folder, subjects.errors());
   const fs::path directory = arguments.directory;
   for (const fs::path& path : {directory / "valves", directory / "pictures"})
@@ -291,14 +325,16 @@ int run(const StudyImportsArguments& arguments) {
     }
   std::vector<Json> rows;
   {
-    ImportsStudy study(arguments, *std::move(subjects), interrupted);
+    ImportsStudy study(arguments, std::move(subjects->all), interrupted);
     if (const Errors errors = study.run(); !errors.empty()) {
       report_errors("study imports", errors);
       return exit_code::kFailure;
     }
     rows = study.rows();
   }
-  const int failed = finish(arguments, rows);
+  const int failed = finish(arguments, rows, subjects->left_out);
+  if (interrupted)
+    std::cerr << "coapt: study imports: interrupted; the same command resumes the study\n";
   return interrupted ? exit_code::kInterrupted : failed;
 }
 

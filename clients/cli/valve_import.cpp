@@ -78,16 +78,19 @@ void tell(const std::vector<ImportDecision>& decisions) {
 }
 
 /// Options that change nothing of this import.
-std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments, bool closed) {
-  const bool drawn = arguments.options.chordae_seed.has_value();
+std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments,
+                                           const ImportedValve& imported) {
+  const bool drawn = imported.valve.drawn_chordae.has_value();
+  const bool model = !is_mitral(imported.valve);
   std::vector<ImportDecision> unused;
   for (const std::string& option : arguments.given) {
     const bool of_drawn = option == "--seed", of_closed = option == "--hidden";
-    if (of_closed ? closed : of_drawn == drawn) continue;
+    if (!model && (of_closed ? imported.input.closed : of_drawn == drawn)) continue;
     unused.push_back({"options", option + " not used",
-                      of_closed  ? "the leaflets were not interpreted as closed"
-                      : of_drawn ? "the files contain chordae"
-                                 : "synthesised chordae have their own branches and slack",
+                      model       ? "a finite element model is taken as it is"
+                      : of_closed ? "the leaflets were not interpreted as closed"
+                      : of_drawn  ? "the files contain chordae"
+                                  : "synthesised chordae have their own branches and slack",
                       true});
   }
   return unused;
@@ -101,7 +104,7 @@ ReadInputs read_request(const ValveImportArguments& arguments) {
   read.request.options = arguments.options;
   read.request.seed = arguments.seed;
   if (synthesises) read.request.options.chordae_seed = arguments.seed;
-  read.request.name = arguments.name;
+  if (!arguments.name.empty()) read.request.name = arguments.name;
   read.request.provenance = arguments.provenance;
   return read;
 }
@@ -125,7 +128,7 @@ int run(ValveImportArguments& arguments) {
                                 "not a finite element model"}});
   valve->decisions.insert(valve->decisions.begin(), read.decisions.begin(), read.decisions.end());
   take_observed(arguments.observed, valve->valve);
-  const auto unused = unused_options(arguments, valve->input.closed);
+  const auto unused = unused_options(arguments, *valve);
   valve->decisions.insert(valve->decisions.end(), unused.begin(), unused.end());
   if (const int failed = write_output(arguments.output, write_valve(valve->valve))) return failed;
   if (!arguments.picture.empty())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "core/closed/closed_valve.h"
 #include "core/closure/standing.h"
@@ -9,6 +10,7 @@
 #include "io/exchange/decisions_json.h"
 #include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
+#include "io/mesh/text_scan.h"
 #include "operations/import_request.h"
 #include "search/parallel.h"
 #include "search/plans/plan_search.h"
@@ -25,10 +27,25 @@ struct ImportWork {
   std::shared_ptr<std::atomic<bool>> stop;
 };
 
-Json refused(const Errors& errors) {
-  return {{"stage", "refused"},
-          {"reason", errors[0].path + (errors[0].path.empty() ? "" : ": ") + errors[0].message},
-          {"looks", Json::array()}};
+/// Of the file that it is of, if there are several.
+std::string reason_of(const Error& error, const ImportRequest& asked) {
+  const std::string files = "/files/";
+  if (!error.path.starts_with(files) || !asked.files)
+    return error.path == "/files" || error.path == "/slicerheart" || error.path.empty()
+               ? error.message
+               : error.path.substr(1) + ": " + error.message;
+  const std::size_t slash = error.path.find('/', files.size());
+  const std::optional<long long> index =
+      to_integer(error.path.substr(files.size(), slash - files.size()));
+  std::string reason;
+  if (asked.files->size() > 1 && index && *index < std::ssize(*asked.files))
+    reason = (*asked.files)[static_cast<std::size_t>(*index)].name + ": ";
+  if (slash != std::string::npos) reason += error.path.substr(slash + 1) + ": ";
+  return reason + error.message;
+}
+
+Json refused(const Error& error, const ImportRequest& asked) {
+  return {{"stage", "refused"}, {"reason", reason_of(error, asked)}, {"looks", Json::array()}};
 }
 
 /// The plan of a valve that closes, in its row.
@@ -55,7 +72,7 @@ ImportOutcome tried(const ImportRequest& asked, const ImportWork& work, int thre
   budget.cancelled = [stop = work.stop] { return stop->load(); };
   const Expected<ImportedValve> made = make_import(asked, budget);
   if (*work.stop) throw WorkStopped();
-  if (!made) return {refused(made.errors()), ""};
+  if (!made) return {refused(made.errors()[0], asked), ""};
   ImportOutcome outcome{{{"stage", "imported"}, {"reason", ""}, {"looks", Json::array()}},
                         write_valve(made->valve)};
   for (const ImportDecision& decision : made->decisions)
@@ -67,7 +84,8 @@ ImportOutcome tried(const ImportRequest& asked, const ImportWork& work, int thre
   }
   outcome.row["stage"] = "closed";
   outcome.row["leak_mm2"] = closed.measure.leak.area_mm2;
-  if (work.evaluations > 0) add_plan(made->valve, work, threads, outcome.row);
+  if (work.evaluations > 0 && is_mitral(made->valve))
+    add_plan(made->valve, work, threads, outcome.row);
   return outcome;
 }
 
@@ -94,12 +112,15 @@ NamedFile read_file_of(const JsonPlace& place, const WorkRequest& request) {
 ImportRequest read_case(const JsonPlace& place, const WorkRequest& request) {
   ImportRequest asked;
   asked.reading.most_unpacked = kMostUnpacked;
+  bool slicerheart = false;
   read_fields(place, {{"name", into(asked.name, read_string)},
+                      {"slicerheart", into(slicerheart, read_boolean)},
                       {"files", into(asked.files, [&](const JsonPlace& files) {
                          return read_list(files, [&](const JsonPlace& file) {
                            return read_file_of(file, request);
                          });
                        })}});
+  if (slicerheart) asked.slicerheart = std::exchange(asked.files, std::nullopt);
   return asked;
 }
 
@@ -139,7 +160,8 @@ WorkRequest imports_request(const std::vector<ImportCase>& cases, const ImportTr
       files.push_back({{"name", file.name}, {"part", request.parts.size()}});
       request.parts.push_back(file.bytes);
     }
-    json["imports"].push_back({{"name", one.name}, {"files", std::move(files)}});
+    json["imports"].push_back(
+        {{"name", one.name}, {"slicerheart", one.slicerheart}, {"files", std::move(files)}});
   }
   request.parts.front() = json.dump();
   return request;

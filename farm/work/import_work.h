@@ -1,6 +1,7 @@
 // Imports with nothing touched, closed and planned.
 //
-// Kind "imports": part 0 {"imports": [{"name": valve, "files": [{"name": file, "part": its bytes}, ...]}, ...], "seed": S, "evaluations": N}.
+// Kind "imports": part 0 {"imports": [{"name": valve, "slicerheart": they are such a folder's, "files": [{"name": file, "part": its bytes}, ...]},
+// ...], "seed": S, "evaluations": N}.
 // An item is one import; its answer two texts, each behind its 64-bit length: its row, and the valve (empty: it was refused).
 #pragma once
 
@@ -21,6 +22,7 @@ struct ImportTrial {
 struct ImportCase {
   std::string name;  ///< of the valve
   std::vector<NamedFile> files;
+  bool slicerheart = false;  ///< they are those of such a folder; else their parts are detected
 };
 
 WorkRequest imports_request(const std::vector<ImportCase>& cases, const ImportTrial& trial);

@@ -163,7 +163,7 @@ const char* words_of(FileRole role) {
 bool may_have_role(const std::string& name) {
   const std::string format = format_of(name);
   return is_label_map_format(format) || is_table_format(format) || is_mesh(name) ||
-         format == "json" || is_companion_format(format);
+         format == "json" || format == "inp" || is_companion_format(format);
 }
 
 std::vector<GuessedRole> guessed_roles(const std::vector<NamedFile>& files) {

@@ -46,6 +46,8 @@ std::vector<ImportDecision> map_decisions(const LabelMap& map, bool phase_given)
          phase_given ? "as given"
                      : "it is the first phase with labels; use --phase to select another",
          !phase_given, phase_given ? 1.0 : 0.5});
+  else if (phase_given)
+    decisions.push_back({"options", "phase not used", "the label map has one phase", true});
   if (map.masks > 0)
     decisions.push_back(
         {"labels",

@@ -177,7 +177,7 @@ class LabelMaps(ProgramTest):
         self.assertIn("has no DICOM image", self.refused(image, "--series", SHEETS))
         self.assertIn("has an unknown role", self.refused(SOURCE / "README.md"))
         self.assertIn(
-            "--labels: is missing: the geometry of a series of images applies only to a label map",
+            "the label map: is missing: the geometry of a series of images applies only to a label map",
             self.refused(
                 "--leaflet",
                 SHEETS / "anterior_leaflet_sheet.obj",
@@ -189,6 +189,18 @@ class LabelMaps(ProgramTest):
                 "synthesise",
             ),
         )
+
+    def test_nothing_that_is_given_is_dropped_unsaid(self):
+        self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/open/")
+        parts = [self.folder / "open" / name for name in ("leaflets.vtk", "annulus.mrk.json")]
+        out = ("-o", self.folder / "valve.json")
+        self.run_ok("valve", "import", *parts, *out)
+        twice = self.refused(*parts, "--annulus", SHEETS / "annulus_centerline.csv")
+        self.assertIn("file 2 of the files is that part, too", twice)
+        drawn = self.run_ok("valve", "import", *parts, "--seed", "7", "--slack", "1.1", *out).stderr
+        self.assertIn("--slack not used", drawn)
+        self.assertNotIn("--seed not used", drawn)
+        self.assertIn("phase not used", self.run_ok("valve", "import", *parts, "--phase", "2", *out).stderr)
 
     def test_a_slicerheart_folder_goes_with_no_other_part(self):
         self.run_ok("export", "human-normal", "--open", "-o", f"{self.folder}/open/")
@@ -276,6 +288,12 @@ class LabelMaps(ProgramTest):
         log = (self.folder / "study/imports.jsonl").read_text()
         self.assertEqual(json.loads(self.run_ok(*study).stdout), first)
         self.assertEqual((self.folder / "study/imports.jsonl").read_text(), log)
+        (self.folder / "study/valves/a.nrrd.json").unlink()
+        (maps / "loose.txt").write_text("not a map")
+        again = json.loads(self.run_ok(*study, "--pictures").stdout)
+        self.assertEqual(again, first | {"left_out": 1})
+        self.assertTrue((self.folder / "study/valves/a.nrrd.json").exists(), "made again")
+        self.assertTrue((self.folder / "study/pictures/a.nrrd.png").exists())
 
     def test_nothing_that_comes_of_images_names_a_patient(self):
         """Neither the valve nor the decisions nor any message."""

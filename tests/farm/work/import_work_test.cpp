@@ -38,6 +38,8 @@ TEST(ImportWork, TellsHowFarEachGoesWhateverTheThreads) {
   EXPECT_EQ(valve->name, "cone");
   EXPECT_EQ(valve->drawn_chordae->seed, 3);
   EXPECT_EQ(outcomes->back().row["stage"], "refused");
+  const auto reason = outcomes->back().row["reason"].get<std::string>();
+  EXPECT_FALSE(reason.starts_with("/")) << reason;
   EXPECT_EQ(outcomes->back().valve, "");
 }
 
@@ -71,7 +73,7 @@ TEST(ImportWork, ObjectsToWhatNoStudyCanShow) {
 TEST(ImportWork, NamesWhatIsWrongWithARequest) {
   WorkRequest request = asked();
   request.parts.front() =
-      R"({"imports": [{"name": "a", "files": [{"name": "b", "part": 99}]}], "seed": -1, "evaluations": 0})";
+      R"({"imports": [{"name": "a", "slicerheart": false, "files": [{"name": "b", "part": 99}]}], "seed": -1, "evaluations": 0})";
   const Expected<Work> work = open_work(request);
   ASSERT_FALSE(work);
   ASSERT_EQ(work.errors().size(), 2u);

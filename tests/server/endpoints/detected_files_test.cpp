@@ -52,7 +52,7 @@ TEST_F(DetectedFilesTest, AreNamedByTheirPlaceInTheRequest) {
   request["files"].push_back({{"name", "notes.txt"}, {"text", "a, b"}});
   EXPECT_EQ(refused(request), (Refused{422, {"/files/3"}}));
   request["files"] = Json::array();
-  EXPECT_EQ(refused(request), (Refused{422, {"/leaflets"}}));
+  EXPECT_EQ(refused(request), (Refused{422, {"/files"}}));
 }
 
 TEST_F(DetectedFilesTest, GoBesideNamedPartsThatTheyLack) {
@@ -65,14 +65,17 @@ TEST_F(DetectedFilesTest, GoBesideNamedPartsThatTheyLack) {
   EXPECT_EQ(refused(request), (Refused{422, {"/annulus"}})) << "there would be two";
 }
 
-TEST_F(DetectedFilesTest, MayBeAFolderOfSlicerHeart) {
-  Json request = fit_request();
-  request.erase("fit");
-  request["files"] = std::move(request["slicerheart"]);
+TEST_F(DetectedFilesTest, AreSortedOneByOneWhateverTheirNames) {
+  const Json named = cone_request();
+  Json request = cone_files();
+  request["slicerheart"] = Json::array();
+  EXPECT_EQ(refused(request), (Refused{422, {"/files"}})) << "either of both";
   request.erase("slicerheart");
-  EXPECT_EQ(imported(request).status, 201);
-  request["slicerheart"] = request["files"];
-  EXPECT_EQ(refused(request), (Refused{422, {"/files"}}));
+  request["files"].erase(2);
+  request["annulus"] = named["annulus"];
+  request["tips"] = {{"name", "tips.mrk.json"}, {"text", "{}"}};
+  EXPECT_TRUE(refused(request).paths.front().starts_with("/tips"))
+      << "nothing that is given is left out";
 }
 
 TEST_F(DetectedFilesTest, AreNoFiniteElementModelOfAnyValve) {
@@ -83,6 +86,9 @@ TEST_F(DetectedFilesTest, AreNoFiniteElementModelOfAnyValve) {
   request.erase("observed");
   request["files"][0]["text"] = "*NODE\n1, a, b, c\n";
   EXPECT_TRUE(refused(request).paths.front().starts_with("/files/0"));
+  request["flip"] = true;
+  request["tips"] = cone_request()["annulus"];
+  EXPECT_EQ(refused(request), (Refused{422, {"/tips", "/flip"}})) << "both are of mitral valves";
   request["files"].push_back(cone_request()["annulus"]);
   EXPECT_EQ(refused(request), (Refused{422, {"/files/0"}}));
 }
