@@ -6,7 +6,8 @@
 namespace coapt {
 
 int draw_closures(const RepairRequest& asked, int draws) {
-  return asked.plan.steps.empty() ? draws : 2 * draws;
+  const int redrawn = redraws_chordae(asked.valve) ? 1 : 0;  // a closure gives them their lengths
+  return ((asked.plan.steps.empty() ? 1 : 2) + redrawn) * draws;
 }
 
 Errors check_draws(const RepairRequest& asked, int draws, const Context& context) {
@@ -24,14 +25,14 @@ Expected<ModelStudy> study_within(const RepairRequest& asked, ModelStudyOptions 
   study.threads = context.limits.threads;
   closure.budget = context.budget();
   study.evaluate = closing_evaluator(closure, LeakBy::Surface);
-  if (!asked.plan.steps.empty()) study.unrepaired = &asked.valve;
+  if (!asked.plan.steps.empty()) study.plan = &asked.plan;
   std::atomic<bool> over = false;
   study.cancelled = &over;
   study.progress = [&](int done, int planned) {
     over = over || context.cancelled() || (context.interrupted && *context.interrupted);
     if (context.progress) context.progress(done, planned);
   };
-  ModelStudy drawn = study_model(asked.repaired, study);
+  ModelStudy drawn = study_model(asked.valve, study);
   if (context.cancelled()) return context.refusal();
   return drawn;
 }

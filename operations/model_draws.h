@@ -6,7 +6,7 @@
 
 namespace coapt {
 
-/// Closures of so many draws: with a plan the valve before it is closed, too.
+/// Closures of so many draws: with a plan the valve before it is closed, too; chordae that were not seen are drawn anew by one.
 int draw_closures(const RepairRequest& asked, int draws);
 
 /// Errors: more draws than a service has closures for, at "/draws".

@@ -202,9 +202,16 @@ std::string leak_and_error(const Json& leak) {
   return value + " mm2" + (tissue_missing ? " (numerical error; tissue error not known)" : "");
 }
 
+std::string variants_words(const Json& draws) {
+  return counted(draws["draws"].get<long>(), "variant") +
+         (draws.value("fit_drawn", false)
+              ? " of tissue and of the parameters that the fit left uncertain"
+          : draws.value("chordae_drawn", false) ? " of tissue and of chordae that were not imaged"
+                                                : " of tissue and chordae");
+}
+
 std::string draws_words(const Json& draws) {
-  const std::string words =
-      counted(draws["draws"].get<long>(), "variant") + " of tissue and chordae";
+  const std::string words = variants_words(draws);
   if (draws["observed"].empty()) return words;
   const bool contradicts = draws["contradicts_model"].get<bool>();
   return words +

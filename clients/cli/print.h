@@ -19,6 +19,9 @@ std::string leak_and_error(const Json& leak);
 /// Of "numerical", "tissue" and "execution", of which results of earlier releases have none.
 Estimate estimate_of(const Json& json, double value);
 
+/// Of "draws", "chordae_drawn" and "fit_drawn": "64 variants of tissue and chordae".
+std::string variants_words(const Json& draws);
+
 /// Of "draws", "untrusted", "observed", "effective" and "contradicts_model": "64 draws of tissue and chordae, weighed by what was observed:
 /// as many as 23 that weigh alike".
 std::string draws_words(const Json& draws);

@@ -153,12 +153,7 @@ void print_model_draws(std::ostream& out, const Json& result) {
   if (model == result.end() || (*model)["before"].is_null()) return;
   print_words(
       out, "Model: ",
-      counted((*model)["draws"].get<long>(), "variant") +
-          (model->value("fit_drawn", false)
-               ? " of tissue and of the parameters that the fit left uncertain"
-           : model->value("chordae_drawn", false) ? " of tissue and of chordae that were not imaged"
-                                                  : " of tissue and chordae") +
-          ", common to all plans" +
+      variants_words(*model) + ", common to all plans" +
           (result["plans"].empty() ? "" : "; the probability of a leak below 5 mm2 includes them"));
   if (model->value("observed", Json::array()).empty()) return;
   const bool contradicts = (*model)["contradicts_model"].get<bool>();

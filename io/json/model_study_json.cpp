@@ -36,12 +36,8 @@ Json document_of(const char* format, const ModelStudy& study, const std::string&
                  const Json& found) {
   Json document = {{"valve", valve_name},
                    {"status", to_string(study.as_it_is.status)},
-                   {"crossing", study.as_it_is.crossing},
-                   {"draws", study.draws.size()},
-                   {"untrusted", study.untrusted},
-                   {"observed", observed_names(study.observed)},
-                   {"effective", study.effective},
-                   {"contradicts_model", study.contradicts}};
+                   {"crossing", study.as_it_is.crossing}};
+  document.update(tissue_draws_json(study));
   document.update(found);
   return result_document(format, std::move(document));
 }
@@ -71,6 +67,8 @@ Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
 Json tissue_draws_json(const ModelStudy& study) {
   return {{"draws", study.draws.size()},
           {"untrusted", study.untrusted},
+          {"chordae_drawn", study.draws_chordae},
+          {"fit_drawn", study.draws_fit},
           {"observed", observed_names(study.observed)},
           {"effective", study.effective},
           {"contradicts_model", study.contradicts}};

@@ -18,7 +18,7 @@ Json to_json(const ModelStudy& study, const std::string& valve_name);
 Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
              const std::string& valve_name);
 
-/// {"draws", "untrusted", "observed", "effective", "contradicts_model"}: what a tissue interval is of.
+/// {"draws", "untrusted", "chordae_drawn", "fit_drawn", "observed", "effective", "contradicts_model"}: what a tissue interval is of.
 Json tissue_draws_json(const ModelStudy& study);
 
 }  // namespace coapt

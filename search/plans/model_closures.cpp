@@ -8,17 +8,11 @@
 #include <utility>
 
 #include "core/metrics/mean_and_sd.h"
-#include "core/presets/synthetic_chordae.h"
-#include "core/repair/apply_plan.h"
-#include "search/fit/fitted_draw.h"
-#include "search/latin_hypercube.h"
-#include "search/model_draw.h"
 #include "search/parallel.h"
 
 namespace coapt {
 namespace {
 
-constexpr int kMostSeed = 0x7fffffff;
 constexpr std::uint64_t kSeed = 1,
                         kFitSeed = 2;  // not the search's: another search, the same draws
 
@@ -30,30 +24,13 @@ PlanClosure refused() {
 
 /// `count` draws, the block's own.
 std::vector<ModelDraw> drawn(const PlanEvaluations& evaluations, int count, int block) {
-  const Valve& valve = evaluations.valve();
   const auto own = static_cast<std::uint64_t>(2 * block);
-  const std::vector<std::vector<double>> shares = model_draws(count, kSeed + own);
-  const std::vector<std::vector<double>> fitted =
-      valve.fitted ? latin_hypercube(count, static_cast<int>(valve.fitted->parameters.size()),
-                                     kFitSeed + own)
-                   : std::vector<std::vector<double>>{};
-  std::vector<ModelDraw> draws(static_cast<std::size_t>(count));
-  for_each_index(count, evaluations.threads(), [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
-    draws[at].shares = shares[at];
-    if (!valve.fitted && !valve.drawn_chordae) {
-      draws[at].valve = valve;
-      return;
-    }
-    if (evaluations.cancelled()) return;
-    const long long seed =
-        valve.drawn_chordae ? valve.drawn_chordae->seed + 1LL + block * count + i : 0;
-    const Expected<Valve> other = valve.fitted
-                                      ? with_fitted_draw(valve, fitted[at])
-                                      : redrawn_chordae(valve, static_cast<int>(seed & kMostSeed));
-    if (other) draws[at].valve = *other;
-  });
-  return draws;
+  return valve_draws(evaluations.valve(), {.count = count,
+                                           .first = block * count,
+                                           .seed = kSeed + own,
+                                           .fit_seed = kFitSeed + own,
+                                           .threads = evaluations.threads(),
+                                           .cancelled = [&] { return evaluations.cancelled(); }});
 }
 
 /// How many draws each block has, and how many blocks there are at most.
@@ -142,15 +119,6 @@ ModelClosures draw_and_close_before(PlanEvaluations& evaluations, int asked) {
 
 }  // namespace
 
-std::optional<Valve> drawn_valve(const ModelDraw& draw, const PlanRecord* plan) {
-  if (!draw.valve) return {};
-  const Expected<Valve> repaired =
-      plan == nullptr ? *draw.valve : apply_plan(*draw.valve, plan->plan);
-  if (!repaired) return {};
-  const Expected<Valve> drawn = with_model(*repaired, draw.shares);
-  return drawn ? std::optional(*drawn) : std::nullopt;
-}
-
 ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<PlanRecord*>& plans,
                                 int asked, ModelClosures known) {
   if (asked == 0) return {};
@@ -170,7 +138,7 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
   for_each_index(count * each, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
     const ModelDraw& draw = model.distinct[static_cast<std::size_t>(i % each)];
-    const std::optional<Valve> valve = drawn_valve(draw, missing[i / each]);
+    const std::optional<Valve> valve = drawn_valve(draw, &missing[i / each]->plan);
     closures[i] =
         valve
             ? plan_closure(evaluations.evaluate(*valve, starts[i / each].closure.get()).evaluation)

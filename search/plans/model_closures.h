@@ -1,6 +1,5 @@
 // What the model's own error makes of the order of plans: reported plans closed again, as planned,
-// under common draws of the material (model_draw.h), and of what a fit left uncertain (fit/fitted_draw.h) or, without one, of
-// the chordae where those were never seen (core/presets/synthetic_chordae.h).
+// under common draws of what is not known of the valve (valve_draw.h).
 //
 // A plan is judged in a draw as on its own material, by what its closure as planned changes: the
 // region's mean leak and the cost move by as much. A rank holds if the plan stays ahead of the next
@@ -14,6 +13,7 @@
 
 #include "search/conditioning.h"
 #include "search/plans/plan_evaluations.h"
+#include "search/valve_draw.h"
 
 namespace coapt {
 
@@ -25,16 +25,6 @@ struct ModelSpread {
   double sd_mm2 = std::numeric_limits<double>::quiet_NaN();
   double worst_mm2 = std::numeric_limits<double>::quiet_NaN();
 };
-
-/// Tissue by shares, and the unrepaired valve with other values where a fit left them uncertain, with other chordae where its own were
-/// never seen, else as it is; empty where such a valve cannot be made.
-struct ModelDraw {
-  std::vector<double> shares;
-  std::optional<Valve> valve;
-};
-
-/// The plan, or none (null), on the valve with the material of a draw; nothing where that cannot be done.
-std::optional<Valve> drawn_valve(const ModelDraw& draw, const PlanRecord* plan);
 
 struct ModelClosures {
   int draws = 0;  ///< asked for

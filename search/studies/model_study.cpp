@@ -10,12 +10,14 @@
 
 #include "core/metrics/mean_and_sd.h"
 #include "core/metrics/quantile.h"
-#include "search/model_draw.h"
+#include "core/repair/apply_plan.h"
 #include "search/parallel.h"
 #include "search/threads.h"
 
 namespace coapt {
 namespace {
+
+constexpr std::uint64_t kFitApart = 1'000'003;  // fitted values have draws of their own
 
 ModelUncertainty uncertainty(double as_it_is_mm2, const std::vector<ModelStudyDraw>& draws) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -55,20 +57,20 @@ void take_figures(const ValveMeasure& measure, ModelStudyDraw& draw) {
                        measure.coaptation.height_mean_mm};
 }
 
-/// A draw of the valve, and of the one that was observed where that is another.
-ModelStudyDraw closed_draw(const Valve& valve, const std::vector<double>& shares,
-                           const Evaluator& evaluate, const ModelStudyOptions& options) {
-  ModelStudyDraw draw{shares, false, 0.0};
-  const Expected<Valve> drawn = with_model(valve, shares);
-  if (!drawn) return draw;
-  const Evaluation evaluation = evaluate(*drawn, nullptr).evaluation;
+/// A draw as it is asked for, and of the unrepaired valve where that is another.
+ModelStudyDraw closed_draw(const ModelDraw& drawn, const Evaluator& evaluate,
+                           const ModelStudyOptions& options) {
+  ModelStudyDraw draw{drawn.shares, false, 0.0};
+  const std::optional<Valve> valve = drawn_valve(drawn, options.plan);
+  if (!valve) return draw;
+  const Evaluation evaluation = evaluate(*valve, nullptr).evaluation;
   draw.trusted = trusted(evaluation);
   draw.leak_mm2 = evaluation.measure.leak.area_mm2;
-  if (options.unrepaired == nullptr) {
+  if (options.plan == nullptr) {
     if (draw.trusted) take_figures(evaluation.measure, draw);
     return draw;
   }
-  const Expected<Valve> before = with_model(*options.unrepaired, shares);
+  const std::optional<Valve> before = drawn_valve(drawn, nullptr);
   if (!before) return draw;
   const Evaluation seen = evaluate(*before, nullptr).evaluation;
   if (trusted(seen)) take_figures(seen.measure, draw);
@@ -78,15 +80,23 @@ ModelStudyDraw closed_draw(const Valve& valve, const std::vector<double>& shares
 /// Draws of the next block; those closed before it was cancelled, in order.
 void add_block(const Valve& valve, int block, const Evaluator& evaluate,
                const ModelStudyOptions& options, std::vector<ModelStudyDraw>& all) {
-  const std::vector<std::vector<double>> shares =
-      model_draws(options.draws, options.seed + static_cast<std::uint64_t>(block));
-  std::vector<std::optional<ModelStudyDraw>> draws(shares.size());
+  const auto is_cancelled = [&] {
+    return options.cancelled != nullptr && options.cancelled->load();
+  };
+  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(block);
+  const std::vector<ModelDraw> drawn = valve_draws(valve, {.count = options.draws,
+                                                           .first = block * options.draws,
+                                                           .seed = seed,
+                                                           .fit_seed = seed + kFitApart,
+                                                           .threads = options.threads,
+                                                           .cancelled = is_cancelled});
+  std::vector<std::optional<ModelStudyDraw>> draws(drawn.size());
   Mutex mutex;
   int done = block * options.draws;
   for_each_index(options.draws, options.threads, [&](int i) {
-    if (options.cancelled != nullptr && options.cancelled->load()) return;
+    if (is_cancelled()) return;
     const auto at = static_cast<std::size_t>(i);
-    draws[at] = closed_draw(valve, shares[at], evaluate, options);
+    draws[at] = closed_draw(drawn[at], evaluate, options);
     const Lock lock(mutex);
     ++done;
     if (options.progress) options.progress(done, (block + 1) * options.draws);
@@ -126,8 +136,12 @@ ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
   const Evaluator evaluate =
       options.evaluate ? options.evaluate : closing_evaluator({}, LeakBy::Surface);
   ModelStudy study;
-  study.observed = options.unrepaired != nullptr ? options.unrepaired->observed : valve.observed;
-  study.as_it_is = evaluate(valve, nullptr).evaluation;
+  study.observed = valve.observed;
+  study.draws_chordae = redraws_chordae(valve);
+  study.draws_fit = valve.fitted.has_value();
+  study.as_it_is =
+      evaluate(options.plan == nullptr ? valve : *apply_plan(valve, *options.plan), nullptr)
+          .evaluation;
   const int blocks = study.observed.empty() ? 1 : kMostBlocks;
   for (int block = 0; block < blocks; ++block) {
     add_block(valve, block, evaluate, options, study.draws);

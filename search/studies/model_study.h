@@ -1,5 +1,5 @@
-// How much of an answer is the model's: one valve, repaired or not, closed under many draws of its
-// material (model_draw.h), and which property decides.
+// How much of an answer is the model's: one valve, repaired or not, closed under many draws of what
+// is not known of it (valve_draw.h), and which property of its material decides.
 #pragma once
 
 #include <array>
@@ -14,6 +14,7 @@
 #include "search/conditioning.h"
 #include "search/evaluator.h"
 #include "search/studies/sobol_indices.h"
+#include "search/valve_draw.h"
 
 namespace coapt {
 
@@ -23,9 +24,10 @@ struct ModelStudyOptions {
   int threads = 0;                         ///< 0: all cores; does not change the answer
   std::function<void(int, int)> progress;  ///< closures made, planned; from one thread at a time
   const std::atomic<bool>* cancelled = nullptr;  ///< may be null; what is closed by then counts
-  /// That Valve::observed was seen of, where the valve is a repaired one: closed in each draw, too. Null: the valve itself. Where something was observed and
-  /// the draws that it leaves weigh as fewer than kLeastEffective, as many more are made, up to kMostBlocks times.
-  const Valve* unrepaired = nullptr;
+  /// The repair whose leak is asked for; the valve itself, of which Valve::observed was seen, is closed in each draw, too. Null: none.
+  /// Where something was observed and the draws that it leaves weigh as fewer than kLeastEffective, as many more are made, up to
+  /// kMostBlocks times.
+  const RepairPlan* plan = nullptr;
   Evaluator evaluate;  ///< closes and measures the least surface if empty
 };
 
@@ -56,6 +58,8 @@ struct ModelStudy {
   std::vector<Observation> observed;
   double effective = 0.0;    ///< Conditioning::effective, of the draws that are trusted
   bool contradicts = false;  ///< what was observed contradicts the model: the draws are not weighed
+  bool draws_chordae = false;  ///< each with chordae of its own: the valve's were never seen
+  bool draws_fit = false;      ///< each with other values of what a fit left uncertain
   ModelUncertainty leak;
 };
 
@@ -63,7 +67,7 @@ struct ModelStudy {
 std::optional<Interval> tissue_interval(const ModelStudy& study);
 
 /// Each closure starts from the open state, as close_valve() alone does. @pre the valve is valid and
-/// mitral.
+/// mitral, the plan can be applied to it.
 ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options = {});
 
 }  // namespace coapt

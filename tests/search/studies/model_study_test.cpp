@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
+#include "search/fit/fit_parameters.h"
+#include "search/fit/fitted_draw.h"
 #include "search/model_draw.h"
+#include "search/threads.h"
 #include "tests/scenes/small_preset.h"
 #include "tests/search/plans/search_scene.h"
 
@@ -101,17 +105,53 @@ TEST(ModelStudy, SaysThatWhatWasObservedContradictsTheModel) {
 TEST(ModelStudy, ARepairedValveIsWeighedByTheUnrepairedOne) {
   // The repair leaves a tenth of the leak: 25 mm2 before are 2.5 mm2 after.
   const Valve unrepaired = seen_leaking(small_valve());
-  Valve repaired = unrepaired;
-  repaired.observed.clear();
-  repaired.name = "repaired";
-  ModelStudyOptions options = with(leak_of([](const Valve& valve) {
-    return leak_by_modulus(valve) * (valve.name == "repaired" ? 0.1 : 1.0);
+  const RepairPlan ring{{Annuloplasty{OwnRing{1}}}};
+  ModelStudyOptions options = with(leak_of([&](const Valve& valve) {
+    return leak_by_modulus(valve) * (valve.annulus_mm == unrepaired.annulus_mm ? 1.0 : 0.1);
   }));
-  options.unrepaired = &unrepaired;
-  const std::optional<Interval> tissue = tissue_interval(study_model(repaired, options));
+  options.plan = &ring;
+  const std::optional<Interval> tissue = tissue_interval(study_model(unrepaired, options));
   ASSERT_TRUE(tissue);
   EXPECT_GT(tissue->low, 2.6);
   EXPECT_LT(tissue->high, 3.2);
+}
+
+/// A millimetre for each of a valve's chordae.
+double leak_by_chordae(const Valve& valve) {
+  double leak_mm2 = 0.0;
+  for (const Chorda& chorda : valve.chordae)
+    for (const ChordaSegment& segment : chorda.segments) leak_mm2 += segment.rest_length_mm;
+  return leak_mm2 / valve.tissue.thickness_mm;
+}
+
+TEST(ModelStudy, DrawsChordaeThatWereNeverSeen) {
+  Valve valve = shared_preset("human-functional-mr", 150);
+  const ModelStudy seen = study_model(valve, with(leak_of(leak_by_chordae), 4));
+  valve.drawn_chordae = {.seed = 3, .tips_given = false};
+  std::set<std::size_t> counts;
+  Mutex mutex;
+  const ModelStudy drawn = study_model(valve, with(leak_of([&](const Valve& one) {
+                                                     const Lock lock(mutex);
+                                                     counts.insert(one.chordae.size());
+                                                     return leak_by_chordae(one);
+                                                   }),
+                                                   4, 2));
+  EXPECT_TRUE(drawn.draws_chordae && !seen.draws_chordae);
+  EXPECT_GT(counts.size(), 2u) << "each has chordae of its own";
+  EXPECT_EQ(drawn.as_it_is.measure.leak.area_mm2, seen.as_it_is.measure.leak.area_mm2);
+  for (std::size_t i = 0; i < drawn.draws.size(); ++i)
+    EXPECT_EQ(drawn.draws[i].shares, seen.draws[i].shares) << "tissue is drawn as before";
+}
+
+TEST(ModelStudy, DrawsWhatAFitLeftUncertain) {
+  Valve valve = shared_preset("human-functional-mr", 150);
+  const ModelStudy own = study_model(valve, with(leak_of(leak_by_chordae), 32));
+  valve.fitted = FittedValues{{fit_parameters(valve, {}).front().name},
+                              Eigen::MatrixXd::Constant(1, 1, 0.05 * 0.05)};
+  ASSERT_TRUE(check_fitted_parameters(valve).empty());
+  const ModelStudy fitted = study_model(valve, with(leak_of(leak_by_chordae), 32));
+  EXPECT_TRUE(fitted.draws_fit && !fitted.draws_chordae);
+  EXPECT_NE(fitted.leak.mean_mm2, own.leak.mean_mm2);
 }
 
 TEST(ModelStudy, WeighsAlikeForAnyNumberOfThreads) {

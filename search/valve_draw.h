@@ -1,0 +1,39 @@
+// A valve as it might be as well: its material (model_draw.h), and what a fit left uncertain of it (fit/fitted_draw.h) or, without one,
+// its chordae where those were never seen (core/presets/synthetic_chordae.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/repair/plan.h"
+#include "core/valve/valve.h"
+
+namespace coapt {
+
+/// Material by shares, and the unrepaired valve with other values where a fit left them uncertain, with other chordae where its own were
+/// never seen, else as it is; empty where such a valve cannot be made.
+struct ModelDraw {
+  std::vector<double> shares;
+  std::optional<Valve> valve;
+};
+
+struct ModelDrawing {
+  int count = 1;
+  int first = 0;                         ///< of these, among all of the valve
+  std::uint64_t seed = 1, fit_seed = 2;  ///< of shares, of fitted values
+  int threads = 0;                       ///< 0: all cores; does not change the draws
+  std::function<bool()> cancelled;       ///< then further draws are empty; may be empty
+};
+
+/// @pre the valve is valid and mitral.
+std::vector<ModelDraw> valve_draws(const Valve& valve, const ModelDrawing& drawing);
+
+/// The draw with its material, repaired by a plan unless that is null; nothing where that cannot be done.
+std::optional<Valve> drawn_valve(const ModelDraw& draw, const RepairPlan* plan);
+
+/// Whether each draw has chordae of its own; a closure is made to find their lengths.
+inline bool redraws_chordae(const Valve& valve) { return !valve.fitted && valve.drawn_chordae; }
+
+}  // namespace coapt
