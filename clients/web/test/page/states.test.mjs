@@ -56,11 +56,12 @@ test('the first look, and what scripts are told of it', async () => {
 })
 
 test('the closed valve with soft and stiff leaflets', async () => {
-  await press('How sure is the shape?')
-  await page.getByText(/stiffness of the leaflets alone/).waitFor()
-  await looksWell('how-sure', { theme: 'dark' })
-  await page.reload()
-  await named('human-functional-mr')
+  const { page: other, complaints: said } = await open('valve')
+  await named('human-functional-mr', other)
+  await press('How sure is the shape?', other)
+  await other.getByText(/stiffness of the leaflets alone/).waitFor()
+  await looksWell('how-sure', { of: other, said, theme: 'dark' })
+  await other.context().close()
 })
 
 test('a cut turns the valve so that it is seen; the clock stands around the valve from above', async () => {
