@@ -112,6 +112,7 @@ export class LiveDrawing {
     if (!look.noChordae) {
       this.drawChordae(scene, picture, look)
       this.muscles.set(scene, picture.nodes)
+      this.muscles.seenFrom(this.stage)
     }
     this.lines.ties.set(tieLines(scene, picture.nodes))
     this.lines.seams.set(seamLines(scene, picture.nodes))

@@ -4,6 +4,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshPhongMaterial, t
 import type { ValveShape, Vector } from '../api/types'
 import { TINTS } from './colours'
 import { cross, distance, minus, plus, times, tipsOf, unit } from './geometry'
+import type { Stage } from './stage'
 import { WET } from './tissue_material'
 
 const LENGTH_MM = 8 // from the middle of a muscle's tips to its end
@@ -24,10 +25,14 @@ export class PapillaryMuscles {
     this.mesh.visible = false
   }
 
+  /// From above nothing of them is seen but what stands out beside the annulus, where the wall of the ventricle hides it.
+  seenFrom(stage: Stage): void {
+    this.mesh.visible = !stage.isFromAbove
+  }
+
   /// `nodes`: of the state that is drawn; tips move in a beat alone.
   set(scene: ValveShape, nodes: ArrayLike<number>): void {
     const tips = tipsOf(scene, nodes)
-    this.mesh.visible = tips.length > 0
     if (tips.length === this.drawn.length && tips.every((tip, i) => distance(tip, this.drawn[i] as Vector) < MOVED_MM))
       return
     this.drawn = tips

@@ -147,6 +147,7 @@ export class Viewer {
     if (scene && cut && wasCut === null) turnToCut(this.stage, scene, this.nodes, cut)
     if (cut) this.side = nearSide(this.stage, cut, this.side)
     this.handles.isLeft = (point_mm) => isLeft(cut ?? null, this.side, point_mm)
+    this.muscles.seenFrom(this.stage)
     const beside = this.neighbours.show(look.names ? scene : null)
     const asked = JSON.stringify([look, this.extra, this.side, beside.map(({ text }) => text)])
     if (!scene || !leaflets || asked === this.drawn) return
