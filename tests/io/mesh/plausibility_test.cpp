@@ -118,6 +118,13 @@ TEST(Plausibility, SizesOfNoHeartAreLookedAt) {
   }
 }
 
+TEST(Plausibility, AnAnnulusDeeperThanWideIsLookedAt) {
+  ImportSource stretched = saddled(cone_source(), 4.0);
+  for (TriangleMesh& mesh : stretched.leaflets) mesh.vertices_mm.col(1) *= 1.15;
+  stretched.annulus_mm.col(1) *= 1.15;
+  EXPECT_EQ(looked_at(stretched), std::vector<std::string>{"size"});
+}
+
 TEST(Plausibility, AContourBesideTheLeafletsIsLookedAt) {
   ImportSource source = cone_source();
   source.annulus_mm.col(2).array() += 2.5;
