@@ -74,7 +74,8 @@ Dimension stiffness(const char* name, const char* what) {
       [](const ParametricValve& d) -> std::optional<double> {
         return d.tissue.*Modulus / (Tissue{}.*Modulus);
       },
-      [](ParametricValve& d, double factor) { d.tissue.*Modulus = factor * (Tissue{}.*Modulus); }};
+      [](ParametricValve& d, double factor) { d.tissue.*Modulus = factor * (Tissue{}.*Modulus); },
+      true};
 }
 
 }  // namespace

@@ -258,7 +258,7 @@ std::string draw_distances(const Canvas& canvas, const PictureSheet& sheet,
             {12.0, palette::kMuted, Align::Centre});
   draw_scale_bar(canvas, {box, sheet.pixels_per_mm});
   return "rms " + fixed(std::sqrt(sum / static_cast<double>(valve.rest_mm.rows())), 2) +
-         " mm, at most " + fixed(most, 1) + " mm";
+         ", at most " + fixed(most, 1) + " mm";
 }
 
 }  // namespace
@@ -274,7 +274,7 @@ std::string import_picture_png(const ImportedValve& imported, const std::string&
   if (imported.input.closed)
     draw_landmarks_on_given(canvas, sheet, imported);
   else
-    third = "Distance from the input: " + draw_distances(canvas, sheet, imported);
+    third = "Distance from input: " + draw_distances(canvas, sheet, imported);
   draw_middle(canvas, sheet, imported);
   const std::size_t count = imported.input.leaflets.size();
   const auto head = [&](int column, int row, const std::string& text) {

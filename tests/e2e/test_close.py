@@ -65,6 +65,8 @@ class Close(ProgramTest):
         own = self.close("human-functional-mr")["leak_mm2"]
         self.assertGreater(self.close("human-functional-mr", "--pressure", "60")["leak_mm2"], 1.2 * own)
         self.assertGreater(self.close("human-functional-mr", "--radial-extension", "0.05")["leak_mm2"], own)
+        stiff = ("--radial-stiffness", "3", "--circumferential-stiffness", "3")
+        self.assertNotEqual(self.close("human-functional-mr", *stiff)["leak_mm2"], own)
         result = coapt("close", "human-normal", "--pressure", "0", "--thickness-mm", "99")
         self.assertEqual((result.returncode, result.stdout), (BAD_INPUT, ""))
         self.assertIn(" --pressure: is 0, must be from 1 to 400 mmHg", result.stderr)
