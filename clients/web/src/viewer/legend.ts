@@ -7,7 +7,7 @@ import viewerStyle from './viewer.module.css'
 
 export type Kind = readonly [colour: string, words: string]
 
-export const PAPILLARY: Kind = [TINTS.papillary, 'papillary muscles (only their tips are modelled)']
+export const PAPILLARY: Kind = [TINTS.papillary, 'papillary muscles (schematic)']
 
 /// What there is on these valves; `hasRing`: on one of them.
 export function kindsOn(scenes: readonly ValveShape[], hasRing = false): Kind[] {
