@@ -230,6 +230,8 @@ Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest&
         {options.units.has_value(), "/units"},
         {options.closed.has_value(), "/closed"},
         {options.chordae_seed.has_value(), "/chordae_seed"},
+        {options.reference != ImportOptions{}.reference, "/reference"},
+        {options.triangles != ImportOptions{}.triangles, "/triangles"},
         {options.thickness_mm.has_value(), "/thickness_mm"},
         {options.thickness_measured, "/thickness_measured"},
         {options.trust_labels, "/trust_labels"},
@@ -279,6 +281,9 @@ Expected<ImportedValve> make_import(ImportRequest asked, const ClosureBudget& bu
   if (!source) return source.errors();
   source->name = std::move(name);
   source->provenance.insert(source->provenance.begin(), provenance.begin(), provenance.end());
+  if (any_placed(landmarks) && any_placed(source->landmarks))
+    return Error{ErrorCode::UnknownField, "/landmarks",
+                 "cannot be given, because the files have landmarks, too"};
   if (any_placed(landmarks)) source->landmarks = landmarks;
   if (draws && options.chordae_seed && !source->chordae.empty())
     return Error{ErrorCode::UnknownField, "/chordae_seed",

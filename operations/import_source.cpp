@@ -43,6 +43,18 @@ Expected<std::optional<NamedFile>> model_among(const std::vector<NamedFile>& fil
 
 Expected<ImportSource> RequestedSource::read_folder(const ImportRequest& asked) {
   is_folder_ = true;
+  const LabelNumbers& numbers = asked.reading.labels;
+  ProblemList problems;
+  for (const auto& [given, path] :
+       {std::pair(
+            !numbers.anterior.empty() || !numbers.posterior.empty() || !numbers.annulus.empty(),
+            "/label_numbers"),
+        {asked.reading.phase > 0, "/phase"},
+        {asked.reading.series.has_value(), "/grid"}})
+    if (given)
+      problems.add(ErrorCode::UnknownField, path,
+                   "applies to label maps and cannot be given with a SlicerHeart folder");
+  if (!problems.empty()) return std::move(problems).take();
   Expected<ImportSource> source = read_slicerheart(*asked.slicerheart);
   if (!source) return as_requested(source.errors());
   if (!asked.landmarks_file) return source;

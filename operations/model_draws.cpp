@@ -3,6 +3,8 @@
 #include <atomic>
 #include <string>
 
+#include "search/threads.h"
+
 namespace coapt {
 
 int draw_closures(const RepairRequest& asked, int draws) {
@@ -27,11 +29,14 @@ Expected<ModelStudy> study_within(const RepairRequest& asked, ModelStudyOptions 
   study.evaluate = closing_evaluator(closure, LeakBy::Surface);
   if (!asked.plan.steps.empty()) study.plan = &asked.plan;
   std::atomic<bool> over = false;
-  study.cancelled = &over;
-  study.progress = [&](int done, int planned) {
+  Mutex mutex;
+  study.cancelled = [&] {
+    if (over) return true;
+    const Lock lock(mutex);
     over = over || context.cancelled() || (context.interrupted && *context.interrupted);
-    if (context.progress) context.progress(done, planned);
+    return over.load();
   };
+  study.progress = context.progress;
   ModelStudy drawn = study_model(asked.valve, study);
   if (context.cancelled()) return context.refusal();
   return drawn;

@@ -5,7 +5,6 @@
 #include "search/fit/fitted_draw.h"
 #include "search/latin_hypercube.h"
 #include "search/model_draw.h"
-#include "search/parallel.h"
 
 namespace coapt {
 namespace {
@@ -14,30 +13,26 @@ constexpr int kMostSeed = 0x7fffffff;
 
 }  // namespace
 
-std::vector<ModelDraw> valve_draws(const Valve& valve, const ModelDrawing& drawing) {
-  const int count = drawing.count;
-  const std::vector<std::vector<double>> shares = model_draws(count, drawing.seed);
-  const std::vector<std::vector<double>> fitted =
-      valve.fitted ? latin_hypercube(count, static_cast<int>(valve.fitted->parameters.size()),
-                                     drawing.fit_seed)
-                   : std::vector<std::vector<double>>{};
-  std::vector<ModelDraw> draws(static_cast<std::size_t>(count));
-  for_each_index(count, drawing.threads, [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
-    draws[at].shares = shares[at];
-    if (!valve.fitted && !valve.drawn_chordae) {
-      draws[at].valve = valve;
-      return;
-    }
-    if (drawing.cancelled && drawing.cancelled()) return;
-    const long long seed =
-        valve.drawn_chordae ? valve.drawn_chordae->seed + 1LL + drawing.first + i : 0;
-    const Expected<Valve> other = valve.fitted
-                                      ? with_fitted_draw(valve, fitted[at])
-                                      : redrawn_chordae(valve, static_cast<int>(seed & kMostSeed));
-    if (other) draws[at].valve = *other;
-  });
-  return draws;
+ModelDraws::ModelDraws(const Valve& valve, const ModelDrawing& drawing)
+    : valve_(valve), first_(drawing.first), shares_(model_draws(drawing.count, drawing.seed)) {
+  if (valve.fitted)
+    fitted_ = latin_hypercube(drawing.count, static_cast<int>(valve.fitted->parameters.size()),
+                              drawing.fit_seed);
+}
+
+ModelDraw ModelDraws::at(int i, const ClosureBudget& budget) const {
+  const auto at = static_cast<std::size_t>(i);
+  ModelDraw draw{shares_[at], {}};
+  if (!valve_.fitted && !valve_.drawn_chordae) {
+    draw.valve = valve_;
+    return draw;
+  }
+  const long long seed = valve_.drawn_chordae ? valve_.drawn_chordae->seed + 1LL + first_ + i : 0;
+  const Expected<Valve> other =
+      valve_.fitted ? with_fitted_draw(valve_, fitted_[at])
+                    : redrawn_chordae(valve_, static_cast<int>(seed & kMostSeed), budget);
+  if (other) draw.valve = *other;
+  return draw;
 }
 
 std::optional<Valve> drawn_valve(const ModelDraw& draw, const RepairPlan* plan) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/closure/closure_options.h"
 #include "core/repair/plan.h"
 #include "core/valve/valve.h"
 
@@ -23,12 +23,21 @@ struct ModelDrawing {
   int count = 1;
   int first = 0;                         ///< of these, among all of the valve
   std::uint64_t seed = 1, fit_seed = 2;  ///< of shares, of fitted values
-  int threads = 0;                       ///< 0: all cores; does not change the draws
-  std::function<bool()> cancelled;       ///< then further draws are empty; may be empty
 };
 
-/// @pre the valve is valid and mitral.
-std::vector<ModelDraw> valve_draws(const Valve& valve, const ModelDrawing& drawing);
+class ModelDraws {
+ public:
+  /// @pre the valve is valid and mitral, and outlives this.
+  ModelDraws(const Valve& valve, const ModelDrawing& drawing);
+
+  /// From any thread; the same for whatever else is drawn. @param i in [0, count)
+  ModelDraw at(int i, const ClosureBudget& budget = {}) const;
+
+ private:
+  const Valve& valve_;
+  int first_;
+  std::vector<std::vector<double>> shares_, fitted_;
+};
 
 /// The draw with its material, repaired by a plan unless that is null; nothing where that cannot be done.
 std::optional<Valve> drawn_valve(const ModelDraw& draw, const RepairPlan* plan);

@@ -87,7 +87,7 @@ std::map<std::string, Json> kept_rows(const std::string& path) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);)
     if (const Expected<Json> row = parse_json(line);
-        row && row->is_object() && row->contains("id") && row->contains("stage"))
+        row && row->is_object() && row->value("id", Json()).is_string() && row->contains("stage"))
       rows[row->at("id").get<std::string>()] = *row;
   return rows;
 }
@@ -103,6 +103,11 @@ std::string table_of(const std::vector<Json>& rows) {
     csv.end_line();
   }
   return csv.text();
+}
+
+/// Names of files need not be UTF-8.
+std::string dumped(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 /// What messages have in common: without their numbers.
@@ -148,10 +153,10 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
   Json document = summary;
   document["imports"] = rows;
   if (const int failed = write_output(directory / "imports.csv", table_of(rows))) return failed;
-  if (const int failed = write_output(directory / "imports.json", document.dump(2) + '\n'))
+  if (const int failed = write_output(directory / "imports.json", dumped(document, 2) + '\n'))
     return failed;
   if (arguments.json) {
-    std::cout << summary.dump(2) << '\n';
+    std::cout << dumped(summary, 2) << '\n';
     return exit_code::kOk;
   }
   for (const char* stage : kImportStages)
@@ -186,6 +191,7 @@ class ImportsStudy {
     const std::string path = fs::path(arguments.directory) / "imports.jsonl";
     kept_ = kept_rows(path);
     log_.open(path, std::ios::app);
+    log_ << '\n';  // a line that a killed study left half ends here
   }
 
   /// Errors: what became of the asking.
@@ -251,7 +257,8 @@ class ImportsStudy {
   bool is_whole(const Json& row) const {
     const fs::path directory = arguments_.directory;
     std::error_code ignored;
-    if (!row.contains("valve") || !row["valve"].is_string()) return true;
+    if (!row.contains("valve")) return true;
+    if (!row["valve"].is_string()) return false;
     const fs::path valve = row["valve"].get<std::string>();
     const fs::path picture = "pictures" / valve.stem().concat(".png");
     return fs::exists(directory / valve, ignored) &&
@@ -290,7 +297,7 @@ class ImportsStudy {
       row["valve"] = is_written ? Json(file) : Json();
       if (arguments_.pictures) draw(one);
     }
-    log_ << row.dump() << std::endl;
+    log_ << dumped(row) << std::endl;
   }
 
   void draw(const ImportCase& one) const {
@@ -298,7 +305,8 @@ class ImportsStudy {
     (one.slicerheart ? request.slicerheart : request.files) = one.files;
     request.reading.most_unpacked = kMostUnpacked;
     request.seed = arguments_.seed;
-    if (const Expected<ImportedValve> made = make_import(std::move(request), {}))
+    if (const Expected<ImportedValve> made = make_import(std::move(request), {});
+        made && is_mitral(made->valve))
       (void)write_output(fs::path(arguments_.directory) / "pictures" / (one.name + ".png"),
                          import_picture_png(*made, one.name));
   }

@@ -188,14 +188,14 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
   return made;
 }
 
-Expected<Valve> redrawn_chordae(const Valve& valve, int seed) {
+Expected<Valve> redrawn_chordae(const Valve& valve, int seed, const ClosureBudget& budget) {
   Points tips_mm(0, 3);
   if (valve.drawn_chordae && valve.drawn_chordae->tips_given) {
     tips_mm.resize(std::ssize(valve.heads), 3);
     for (Eigen::Index i = 0; i < tips_mm.rows(); ++i)
       tips_mm.row(i) = valve.heads[static_cast<std::size_t>(i)].rest_mm.transpose();
   }
-  return with_synthetic_chordae(valve, seed, tips_mm);
+  return with_synthetic_chordae(valve, seed, tips_mm, budget);
 }
 
 }  // namespace coapt

@@ -23,6 +23,6 @@ Expected<Valve> with_synthetic_chordae(Valve valve, int seed, const Points& tips
                                        const ClosureBudget& budget = {});
 
 /// Another draw of a valve that has one (Valve::drawn_chordae), its tips kept if they were seen.
-Expected<Valve> redrawn_chordae(const Valve& valve, int seed);
+Expected<Valve> redrawn_chordae(const Valve& valve, int seed, const ClosureBudget& budget = {});
 
 }  // namespace coapt

@@ -92,7 +92,7 @@ ImportOutcome tried(const ImportRequest& asked, const ImportWork& work, int thre
 std::string pack_outcomes(const std::vector<ImportOutcome>& outcomes) {
   std::string bytes;
   for (const ImportOutcome& one : outcomes) {
-    pack_text(bytes, one.row.dump());
+    pack_text(bytes, one.row.dump(-1, ' ', false, Json::error_handler_t::replace));
     pack_text(bytes, one.valve);
   }
   return bytes;
@@ -144,7 +144,7 @@ std::string objection_to(const ImportOutcome& outcome) {
   if ((outcome.row["stage"] == "refused") != outcome.valve.empty())
     return "a valve is there without an import, or the other way round";
   if (outcome.valve.empty()) return "";
-  const Expected<Valve> valve = read_valve(outcome.valve);
+  const Expected<Valve> valve = read_any_valve(outcome.valve);
   return valve ? "" : "a valve cannot be read: " + valve.errors().front().message;
 }
 
@@ -163,7 +163,7 @@ WorkRequest imports_request(const std::vector<ImportCase>& cases, const ImportTr
     json["imports"].push_back(
         {{"name", one.name}, {"slicerheart", one.slicerheart}, {"files", std::move(files)}});
   }
-  request.parts.front() = json.dump();
+  request.parts.front() = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return request;
 }
 

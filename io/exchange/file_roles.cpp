@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 
 #include "core/valve/problem_list.h"
@@ -162,6 +163,11 @@ const char* words_of(FileRole role) {
 
 bool may_have_role(const std::string& name) {
   const std::string format = format_of(name);
+  std::string file = name.substr(name.find_last_of("/\\") + 1);
+  std::transform(file.begin(), file.end(), file.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const char* told : {"license", "readme", "copying", "notice"})
+    if (file.starts_with(told)) return false;
   return is_label_map_format(format) || is_table_format(format) || is_mesh(name) ||
          format == "json" || format == "inp" || is_companion_format(format);
 }

@@ -8,7 +8,7 @@ namespace coapt {
 
 enum class FileRole { Labels, Anterior, Posterior, Annulus, Chordae, Tips, Landmarks, None };
 
-/// Whether a file with such a name is one that can be a part of a valve, named by one (.vtm, .raw), or a model of one (.inp).
+/// Whether a file with such a name or path is one that can be a part of a valve (and says not whose it is, as LICENSE.txt does), named by one (.vtm, .raw), or a model of one (.inp).
 bool may_have_role(const std::string& name);
 
 struct GuessedRole {

@@ -207,7 +207,9 @@ Expected<SheetPreparation> prepare_sheets(ImportSource& source, const ClosureBud
   if (source.annulus_mm.rows() > 0) return prepared;
   Expected<FoundAnnulus> found = find_annulus(source);
   if (!found) return found.errors();
-  const std::string margin = significant(100.0 * found->margin, 2) + " %";
+  const double percent = 100.0 * found->margin;
+  const std::string margin =
+      (percent < 100.0 ? significant(percent, 2) : with_decimals(percent, 0)) + " %";
   if (source.leaflets.size() == 1)
     prepared.decisions.push_back({"annulus",
                                   "not given; detected as the edge of the skirt that is further "

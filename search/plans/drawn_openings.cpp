@@ -25,7 +25,8 @@ void add_evenly(std::vector<Task>& tasks, int count, const auto& task_at) {
 std::optional<Valve> valve_of(const PlanEvaluations& evaluations, const PlanRecord* plan,
                               const ModelClosures& model, const Task& task) {
   if (task.draw >= 0)
-    return drawn_valve(model.distinct[static_cast<std::size_t>(task.draw)], &plan->plan);
+    return drawn_valve(model.distinct[static_cast<std::size_t>(task.draw)],
+                       plan == nullptr ? nullptr : &plan->plan);
   return disturb(evaluations.valve(), evaluations.repaired(*plan), plan->plan,
                  disturbances()[static_cast<std::size_t>(task.error)]);
 }

@@ -25,12 +25,14 @@ PlanClosure refused() {
 /// `count` draws, the block's own.
 std::vector<ModelDraw> drawn(const PlanEvaluations& evaluations, int count, int block) {
   const auto own = static_cast<std::uint64_t>(2 * block);
-  return valve_draws(evaluations.valve(), {.count = count,
-                                           .first = block * count,
-                                           .seed = kSeed + own,
-                                           .fit_seed = kFitSeed + own,
-                                           .threads = evaluations.threads(),
-                                           .cancelled = [&] { return evaluations.cancelled(); }});
+  const ModelDraws draws(
+      evaluations.valve(),
+      {.count = count, .first = block * count, .seed = kSeed + own, .fit_seed = kFitSeed + own});
+  std::vector<ModelDraw> all(static_cast<std::size_t>(count));
+  for_each_index(count, evaluations.threads(), [&](int i) {
+    if (!evaluations.cancelled()) all[static_cast<std::size_t>(i)] = draws.at(i);
+  });
+  return all;
 }
 
 /// How many draws each block has, and how many blocks there are at most.

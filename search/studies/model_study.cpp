@@ -80,23 +80,22 @@ ModelStudyDraw closed_draw(const ModelDraw& drawn, const Evaluator& evaluate,
 /// Draws of the next block; those closed before it was cancelled, in order.
 void add_block(const Valve& valve, int block, const Evaluator& evaluate,
                const ModelStudyOptions& options, std::vector<ModelStudyDraw>& all) {
-  const auto is_cancelled = [&] {
-    return options.cancelled != nullptr && options.cancelled->load();
-  };
+  const auto is_cancelled = [&] { return options.cancelled && options.cancelled(); };
   const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(block);
-  const std::vector<ModelDraw> drawn = valve_draws(valve, {.count = options.draws,
-                                                           .first = block * options.draws,
-                                                           .seed = seed,
-                                                           .fit_seed = seed + kFitApart,
-                                                           .threads = options.threads,
-                                                           .cancelled = is_cancelled});
-  std::vector<std::optional<ModelStudyDraw>> draws(drawn.size());
+  const ModelDraws drawn(valve, {.count = options.draws,
+                                 .first = block * options.draws,
+                                 .seed = seed,
+                                 .fit_seed = seed + kFitApart});
+  ClosureBudget budget;
+  budget.cancelled = options.cancelled;
+  std::vector<std::optional<ModelStudyDraw>> draws(static_cast<std::size_t>(options.draws));
   Mutex mutex;
   int done = block * options.draws;
   for_each_index(options.draws, options.threads, [&](int i) {
     if (is_cancelled()) return;
-    const auto at = static_cast<std::size_t>(i);
-    draws[at] = closed_draw(drawn[at], evaluate, options);
+    const ModelDraw draw = drawn.at(i, budget);
+    if (is_cancelled()) return;
+    draws[static_cast<std::size_t>(i)] = closed_draw(draw, evaluate, options);
     const Lock lock(mutex);
     ++done;
     if (options.progress) options.progress(done, (block + 1) * options.draws);
@@ -145,7 +144,7 @@ ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
   const int blocks = study.observed.empty() ? 1 : kMostBlocks;
   for (int block = 0; block < blocks; ++block) {
     add_block(valve, block, evaluate, options, study.draws);
-    if (weigh(study) || (options.cancelled != nullptr && options.cancelled->load())) break;
+    if (weigh(study) || (options.cancelled && options.cancelled())) break;
   }
   for (const ModelStudyDraw& draw : study.draws) study.untrusted += !draw.trusted;
   study.leak = uncertainty(study.as_it_is.measure.leak.area_mm2, study.draws);

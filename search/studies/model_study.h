@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -23,7 +22,7 @@ struct ModelStudyOptions {
   std::uint64_t seed = 1;
   int threads = 0;                         ///< 0: all cores; does not change the answer
   std::function<void(int, int)> progress;  ///< closures made, planned; from one thread at a time
-  const std::atomic<bool>* cancelled = nullptr;  ///< may be null; what is closed by then counts
+  std::function<bool()> cancelled;         ///< from any thread; what is closed by then counts
   /// The repair whose leak is asked for; the valve itself, of which Valve::observed was seen, is closed in each draw, too. Null: none.
   /// Where something was observed and the draws that it leaves weigh as fewer than kLeastEffective, as many more are made, up to
   /// kMostBlocks times.

@@ -16,6 +16,8 @@ _BINARY = (".raw", ".zraw", ".bin", ".ply", ".stl", ".glb", ".vtk", ".vtp", ".vt
 _MOST_MIB = 1040  # 2^27 voxels of 8 bytes, and a header
 _TEXTS = (".obj", ".csv", ".tsv", ".txt", ".fcsv", ".json", ".gltf", ".vtm", ".nhdr", ".mhd")
 _OF_A_FOLDER = (*_BINARY, *_TEXTS)
+OF_SLICERHEART = (".vtk", ".csv", ".json")
+_NO_PARTS = (".", "license", "readme", "copying", "notice")
 
 
 def packed(path: str | os.PathLike[str] | Any, name: str = "surface") -> dict[str, Any]:
@@ -35,16 +37,19 @@ def packed(path: str | os.PathLike[str] | Any, name: str = "surface") -> dict[st
     return {"name": file.name, "text": content.decode(errors="replace")}
 
 
-def packed_folder(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """Those of its files that a valve can be made of.
+def packed_folder(path: str | os.PathLike[str], suffixes: tuple[str, ...] = _OF_A_FOLDER) -> list[dict[str, Any]]:
+    """Its files with such suffixes, but hidden ones and those that say whose they are.
 
     :raises NoSuchFile: it is no folder
     """
     folder = pathlib.Path(path)
     if not folder.is_dir():
         raise NoSuchFile(f"{path}: is no folder")
-    files = (file for file in sorted(folder.iterdir()) if not file.name.startswith("."))
-    return [packed(file) for file in files if file.is_file() and file.suffix.lower() in _OF_A_FOLDER]
+    return [
+        packed(file)
+        for file in sorted(folder.iterdir())
+        if file.is_file() and file.suffix.lower() in suffixes and not file.name.lower().startswith(_NO_PARTS)
+    ]
 
 
 def packed_files(

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from .asking import checked_threads, given, search_rules
 from .files import Path
 from .fits import Fit, FitResult, ImportResult, Known, fit_target
-from .imports import files_to_import, packed, packed_files, packed_folder
+from .imports import OF_SLICERHEART, files_to_import, packed, packed_files, packed_folder
 from .jobs import Job
 from .results import SearchResult, StudyResult
 from .short_work import repair_of
@@ -185,7 +185,7 @@ class Service(StoredWork):
         if files is not None:
             parts: dict[str, Any] = {"files": packed_files(files)} | given(chordae_seed=chordae)
         elif slicerheart is not None:
-            parts = {"slicerheart": packed_folder(slicerheart)} | given(chordae_seed=chordae)
+            parts = {"slicerheart": packed_folder(slicerheart, OF_SLICERHEART)} | given(chordae_seed=chordae)
         elif (isinstance(leaflets, tuple) and not leaflets) or chordae is None:
             raise TypeError("import_job() takes files, or leaflets and chordae, or slicerheart")
         else:

@@ -10,7 +10,7 @@ from .asking import given
 from .closures import known_fields
 from .errors import NotFound, Problem
 from .files import Path
-from .imports import files_to_import, packed_files, packed_folder
+from .imports import OF_SLICERHEART, files_to_import, packed_files, packed_folder
 from .short_work import ShortWork, repair_of
 from .sources import PlanSource, Valve, valve_document
 from .stored import ImportDecision, KeptPlan, RingShape, StoredValve
@@ -102,7 +102,7 @@ class StoredWork(ShortWork):
         >>> client.import_slicerheart("exported", triangles=300).triangles < 400
         True
         """
-        return self._imported({"slicerheart": packed_folder(folder)}, name, options)
+        return self._imported({"slicerheart": packed_folder(folder, OF_SLICERHEART)}, name, options)
 
     def _imported(self, files: dict[str, Any], name: str, options: dict[str, Any]) -> StoredValve:
         stored = self._post("/v1/valves:import", files | options | {"name": name})

@@ -166,7 +166,7 @@ TEST(ModelStudy, CancelledItReportsWhatIsClosed) {
   std::atomic<bool> cancelled = false;
   std::atomic<int> calls = 0;
   ModelStudyOptions options = with(cancelling(leak_of(leak_by_modulus), calls, 1 + 10, cancelled));
-  options.cancelled = &cancelled;
+  options.cancelled = [&] { return cancelled.load(); };
   int told = 0;
   options.progress = [&](int done, int planned) {
     EXPECT_EQ(done, ++told);

@@ -5,14 +5,14 @@ import { type Kind, legend, PAPILLARY } from '../viewer/legend'
 import type { LiveLook } from './drawing'
 import { ABOVE, PROLAPSE_MM, STRAIN } from './surface'
 
-export function liveLegend({ strain, prolapse }: LiveLook): HTMLElement {
+export function liveLegend({ strain, prolapse, noChordae }: LiveLook): HTMLElement {
   const kinds: Kind[] = [
     [TINTS.anterior, 'anterior leaflet'],
     [TINTS.posterior, 'posterior leaflet'],
     [TINTS.commissure, 'commissures'],
     ...(prolapse ? [[ABOVE, `prolapse: ${PROLAPSE_MM} mm above the annulus or more`] as const] : []),
     [TINTS.added, 'suture or neochorda'],
-    PAPILLARY,
+    ...(noChordae ? [] : [PAPILLARY]),
   ]
   return h('div', {}, legend('leaflets', null, kinds), strain && legend('tension', STRAIN, []))
 }

@@ -1,8 +1,9 @@
 // A story: slides that drive the page by its own addresses, with texts that hold no figure but by its name. It is one of examples/stories, or all of
 // it stands in the address (io/schema/story.schema.json).
-import type { Problem, Step } from '../api/types'
+import type { Problem, Step, Vector } from '../api/types'
 import { COLOUR_MODES } from '../viewer/colours'
 import { SEGMENTS } from '../viewer/marks'
+import { TOWARDS_MM, ZOOM } from '../viewer/sight_ranges'
 import type { ViewName } from '../viewer/stage'
 import { FIGURE_NAMES } from './figures'
 import { STORIES } from './shipped'
@@ -20,8 +21,6 @@ export const TOLD_VIEWS = ['valve', 'repair', 'live'] as const
 const LIFT_MM = { min: -20, max: 20 }
 const PRESSURE_MMHG = { min: 0, max: 300 }
 const DIRECTION = { min: -1, max: 1 }
-const PLACE_MM = { min: -100, max: 100 }
-const ZOOM = { min: 0.1, max: 20 }
 const MOST_SLIDES = 40
 const SHARED = '~' // before a story that stands in the address
 
@@ -89,6 +88,9 @@ const three =
     Array.isArray(value) && value.length === 3 && value.every((part) => within(range)(part) === null)
       ? null
       : `must be three numbers from ${range.min} to ${range.max}`
+const isDirection: Check = (value) =>
+  three(DIRECTION)(value) ??
+  (Math.abs(Math.hypot(...(value as Vector)) - 1) < 0.01 ? null : 'must be a direction of length 1')
 const isFlag: Check = (value) => (typeof value === 'boolean' ? null : 'must be true or false')
 const isSteps: Check = (value) =>
   Array.isArray(value) && value.every((step) => typeof (step as Step | null)?.step === 'string')
@@ -125,8 +127,8 @@ const PULL: typeof SLIDE = {
   pressure_mmhg: { check: within(PRESSURE_MMHG), isOptional: true },
 }
 const SIGHT: typeof SLIDE = {
-  from: { check: three(DIRECTION) },
-  towards_mm: { check: three(PLACE_MM) },
+  from: { check: isDirection },
+  towards_mm: { check: three(TOWARDS_MM) },
   zoom: { check: within(ZOOM) },
 }
 const STORY: typeof SLIDE = {

@@ -4,6 +4,7 @@ import {
   Box3,
   Color,
   DirectionalLight,
+  MathUtils,
   PerspectiveCamera,
   Scene,
   Vector2,
@@ -15,6 +16,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js'
 import type { Vector } from '../api/types'
 import { h } from '../dom'
 import { onTheme } from '../shell/theme'
+import { TOWARDS_MM, ZOOM } from './sight_ranges'
 
 export type ViewName = 'atrial' | 'oblique' | 'anterior' | 'lateral' | 'ventricular'
 
@@ -141,10 +143,11 @@ export class Stage {
     const { target } = this.controls
     const offset = this.camera.position.clone().sub(target)
     const [away, from] = [offset.length(), offset.normalize()]
+    const zoom = MathUtils.clamp(this.fitting(vectorsOf(points_mm)) / away, ZOOM.min, ZOOM.max)
     return {
       from: rounded(from, 4),
-      towards_mm: rounded(target, 2),
-      zoom: Number((this.fitting(vectorsOf(points_mm)) / away).toFixed(3)),
+      towards_mm: rounded(target.clone().clampScalar(TOWARDS_MM.min, TOWARDS_MM.max), 2),
+      zoom: Number(zoom.toFixed(3)),
     }
   }
 
