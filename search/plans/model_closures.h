@@ -13,7 +13,7 @@
 
 #include "search/conditioning.h"
 #include "search/plans/plan_evaluations.h"
-#include "search/valve_draw.h"
+#include "search/plans/valve_draw.h"
 
 namespace coapt {
 

@@ -12,8 +12,8 @@
 #include "core/metrics/estimate.h"
 #include "search/conditioning.h"
 #include "search/evaluator.h"
+#include "search/plans/valve_draw.h"
 #include "search/studies/sobol_indices.h"
-#include "search/valve_draw.h"
 
 namespace coapt {
 

@@ -120,7 +120,9 @@ class FarmStudies(ProgramTest):
         self.assertEqual((one["stages"]["refused"], one["stages"]["imported"]), (1, 0))
         self.assertEqual(json.loads(self.by_farm(*study, "-o", there).stdout), one)
         self.assert_same_files(here, there)
-        self.assertEqual((here / "valves/sound.nrrd.json").read_bytes(), (there / "valves/sound.nrrd.json").read_bytes())
+        self.assertEqual(
+            (here / "valves/sound.nrrd.json").read_bytes(), (there / "valves/sound.nrrd.json").read_bytes()
+        )
 
     def test_a_service_hands_its_jobs_to_the_farm(self):
         server = Server(SERVER, self.folder / "jobs.sqlite", "--farm", self.url)

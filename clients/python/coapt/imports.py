@@ -12,7 +12,22 @@ from .errors import NoSuchFile
 from .files import read_bounded
 from .geometry import packed_geometry
 
-_BINARY = (".raw", ".zraw", ".bin", ".ply", ".stl", ".glb", ".vtk", ".vtp", ".vtu", ".nrrd", ".nii", ".gz", ".bz2", ".mha")  # may be
+_BINARY = (
+    ".raw",
+    ".zraw",
+    ".bin",
+    ".ply",
+    ".stl",
+    ".glb",
+    ".vtk",
+    ".vtp",
+    ".vtu",
+    ".nrrd",
+    ".nii",
+    ".gz",
+    ".bz2",
+    ".mha",
+)  # may be
 _MOST_MIB = 1040  # 2^27 voxels of 8 bytes, and a header
 _TEXTS = (".obj", ".csv", ".tsv", ".txt", ".fcsv", ".json", ".gltf", ".vtm", ".nhdr", ".mhd")
 _OF_A_FOLDER = (*_BINARY, *_TEXTS)

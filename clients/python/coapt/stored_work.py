@@ -79,7 +79,9 @@ class StoredWork(ShortWork):
         """
         return self._imported(files_to_import(leaflets, annulus, chordae, tips), name, options)
 
-    def import_files(self, files: Iterable[Path | Any] | Path, *, name: str = "imported", **options: Any) -> StoredValve:
+    def import_files(
+        self, files: Iterable[Path | Any] | Path, *, name: str = "imported", **options: Any
+    ) -> StoredValve:
         """The same of files whose parts are detected from name and content, as `coapt valve import FILE...` does; chordae that they lack
         are synthesised.
 

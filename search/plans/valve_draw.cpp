@@ -1,4 +1,4 @@
-#include "search/valve_draw.h"
+#include "search/plans/valve_draw.h"
 
 #include "core/presets/synthetic_chordae.h"
 #include "core/repair/apply_plan.h"
