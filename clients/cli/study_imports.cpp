@@ -92,6 +92,14 @@ std::map<std::string, Json> kept_rows(const std::string& path) {
   return rows;
 }
 
+/// Whether a study that was killed left its last line half.
+bool is_torn(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file || file.tellg() <= 0) return false;
+  file.seekg(-1, std::ios::end);
+  return file.get() != '\n';
+}
+
 std::string table_of(const std::vector<Json>& rows) {
   CsvLines csv("name,stage,looks,leak_mm2,plan_leak_mm2,reason,first_look");
   for (const Json& row : rows) {
@@ -190,8 +198,9 @@ class ImportsStudy {
         rows_(subjects_.size()) {
     const std::string path = fs::path(arguments.directory) / "imports.jsonl";
     kept_ = kept_rows(path);
+    const bool torn = is_torn(path);
     log_.open(path, std::ios::app);
-    log_ << '\n';  // a line that a killed study left half ends here
+    if (torn) log_ << '\n';
   }
 
   /// Errors: what became of the asking.

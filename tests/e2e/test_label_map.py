@@ -288,6 +288,10 @@ class LabelMaps(ProgramTest):
         log = (self.folder / "study/imports.jsonl").read_text()
         self.assertEqual(json.loads(self.run_ok(*study).stdout), first)
         self.assertEqual((self.folder / "study/imports.jsonl").read_text(), log)
+        torn = self.folder / "study/imports.jsonl"
+        torn.write_text(log[:40])
+        self.run_ok(*study)
+        self.assertEqual(torn.read_text().splitlines()[1:], log.splitlines(), "behind the half line")
         (self.folder / "study/valves/a.nrrd.json").unlink()
         (maps / "loose.txt").write_text("not a map")
         again = json.loads(self.run_ok(*study, "--pictures").stdout)
