@@ -212,7 +212,6 @@ namespace {
 /// Of any number of leaflets; what an import decides of a mitral valve is not asked.
 Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest& asked) {
   const ImportReading& reading = asked.reading;
-  const LabelNumbers& numbers = reading.labels;
   const ImportOptions& options = asked.options;
   ProblemList problems;
   for (const auto& [given, path] :
@@ -222,8 +221,7 @@ Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest&
         {asked.chordae.has_value(), "/chordae"},
         {asked.tips.has_value(), "/tips"},
         {asked.landmarks_file || any_placed(asked.landmarks), "/landmarks"},
-        {!numbers.anterior.empty() || !numbers.posterior.empty() || !numbers.annulus.empty(),
-         "/label_numbers"},
+        {reading.labels.any(), "/label_numbers"},
         {reading.phase > 0, "/phase"},
         {reading.axes.has_value(), "/frame"},
         {reading.series.has_value(), "/grid"},

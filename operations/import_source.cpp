@@ -43,14 +43,10 @@ Expected<std::optional<NamedFile>> model_among(const std::vector<NamedFile>& fil
 
 Expected<ImportSource> RequestedSource::read_folder(const ImportRequest& asked) {
   is_folder_ = true;
-  const LabelNumbers& numbers = asked.reading.labels;
   ProblemList problems;
-  for (const auto& [given, path] :
-       {std::pair(
-            !numbers.anterior.empty() || !numbers.posterior.empty() || !numbers.annulus.empty(),
-            "/label_numbers"),
-        {asked.reading.phase > 0, "/phase"},
-        {asked.reading.series.has_value(), "/grid"}})
+  for (const auto& [given, path] : {std::pair(asked.reading.labels.any(), "/label_numbers"),
+                                    {asked.reading.phase > 0, "/phase"},
+                                    {asked.reading.series.has_value(), "/grid"}})
     if (given)
       problems.add(ErrorCode::UnknownField, path,
                    "applies to label maps and cannot be given with a SlicerHeart folder");
@@ -127,10 +123,7 @@ Expected<ImportSource> RequestedSource::read(ImportRequest asked) {
     whole_ = place_of("/labels");
   else if (files.leaflets.size() == 1)
     whole_ = place_of("/leaflets/0");
-  const LabelNumbers& numbers = asked.reading.labels;
-  const bool numbered =
-      !numbers.anterior.empty() || !numbers.posterior.empty() || !numbers.annulus.empty();
-  if (numbered && whole_.empty())
+  if (asked.reading.labels.any() && whole_.empty())
     return Error{ErrorCode::UnknownField, "/label_numbers",
                  "requires a label map, or one file with several parts"};
   if (files.leaflets.empty() && !files.labels && !asked.reading.series)

@@ -310,11 +310,7 @@ class ImportsStudy {
   }
 
   void draw(const ImportCase& one) const {
-    ImportRequest request;
-    (one.slicerheart ? request.slicerheart : request.files) = one.files;
-    request.reading.most_unpacked = kMostUnpacked;
-    request.seed = arguments_.seed;
-    if (const Expected<ImportedValve> made = make_import(std::move(request), {});
+    if (const Expected<ImportedValve> made = make_import(as_request(one, arguments_.seed), {});
         made && is_mitral(made->valve))
       (void)write_output(fs::path(arguments_.directory) / "pictures" / (one.name + ".png"),
                          import_picture_png(*made, one.name));

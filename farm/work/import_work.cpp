@@ -11,7 +11,6 @@
 #include "io/json/parse_json.h"
 #include "io/json/valve_json.h"
 #include "io/mesh/text_scan.h"
-#include "operations/import_request.h"
 #include "search/parallel.h"
 #include "search/plans/plan_search.h"
 
@@ -108,20 +107,16 @@ NamedFile read_file_of(const JsonPlace& place, const WorkRequest& request) {
   return file;
 }
 
-/// As large as the files of a command line may be.
-ImportRequest read_case(const JsonPlace& place, const WorkRequest& request) {
-  ImportRequest asked;
-  asked.reading.most_unpacked = kMostUnpacked;
-  bool slicerheart = false;
-  read_fields(place, {{"name", into(asked.name, read_string)},
-                      {"slicerheart", into(slicerheart, read_boolean)},
-                      {"files", into(asked.files, [&](const JsonPlace& files) {
+ImportCase read_case(const JsonPlace& place, const WorkRequest& request) {
+  ImportCase one;
+  read_fields(place, {{"name", into(one.name, read_string)},
+                      {"slicerheart", into(one.slicerheart, read_boolean)},
+                      {"files", into(one.files, [&](const JsonPlace& files) {
                          return read_list(files, [&](const JsonPlace& file) {
                            return read_file_of(file, request);
                          });
                        })}});
-  if (slicerheart) asked.slicerheart = std::exchange(asked.files, std::nullopt);
-  return asked;
+  return one;
 }
 
 /// Whether a study can count and show it.
@@ -150,6 +145,15 @@ std::string objection_to(const ImportOutcome& outcome) {
 
 }  // namespace
 
+ImportRequest as_request(ImportCase one, int seed) {
+  ImportRequest request;
+  request.name = std::move(one.name);
+  (one.slicerheart ? request.slicerheart : request.files) = std::move(one.files);
+  request.reading.most_unpacked = kMostUnpacked;
+  request.seed = seed;
+  return request;
+}
+
 WorkRequest imports_request(const std::vector<ImportCase>& cases, const ImportTrial& trial) {
   Json json = {
       {"imports", Json::array()}, {"seed", trial.seed}, {"evaluations", trial.evaluations}};
@@ -175,8 +179,9 @@ Expected<Work> open_import_work(const WorkRequest& request) {
   const auto imports = std::make_shared<ImportWork>();
   imports->stop = work.stop;
   int seed = 1;
+  std::vector<ImportCase> cases;
   read_fields({*json, problems},
-              {{"imports", into(imports->asked,
+              {{"imports", into(cases,
                                 [&](const JsonPlace& place) {
                                   return read_list(place, [&](const JsonPlace& at) {
                                     return read_case(at, request);
@@ -185,7 +190,7 @@ Expected<Work> open_import_work(const WorkRequest& request) {
                {"seed", into(seed, integer_in(0, 2147483647))},
                {"evaluations", into(imports->evaluations, integer_in(0, kMostEvaluations))}});
   if (!problems.empty()) return std::move(problems).take();
-  for (ImportRequest& asked : imports->asked) asked.seed = seed;
+  for (ImportCase& one : cases) imports->asked.push_back(as_request(std::move(one), seed));
   const bool plans = imports->evaluations > 0;
   work.items = std::ssize(imports->asked);
   work.task_items = plans ? 1 : kImportsAtOnce;
@@ -199,11 +204,8 @@ Expected<Work> open_import_work(const WorkRequest& request) {
     return pack_outcomes(outcomes);
   };
   work.objection = [](std::int64_t /*first*/, int count, std::string_view bytes) {
-    const Expected<std::vector<ImportOutcome>> outcomes = import_outcomes(bytes);
-    std::string objection = objection_of(outcomes, count);
-    for (int i = 0; objection.empty() && i < count; ++i)
-      objection = objection_to((*outcomes)[static_cast<std::size_t>(i)]);
-    return objection;
+    return objection_of(import_outcomes(bytes), count,
+                        [](const ImportOutcome& outcome, int) { return objection_to(outcome); });
   };
   if (plans) work.sampled_tasks = sampled_searches(work.items);
   return work;

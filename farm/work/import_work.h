@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "farm/work/work.h"
-#include "io/json/named_file.h"
+#include "operations/import_request.h"
 
 namespace coapt {
 
@@ -24,6 +24,9 @@ struct ImportCase {
   std::vector<NamedFile> files;
   bool slicerheart = false;  ///< they are those of such a folder; else their parts are detected
 };
+
+/// As large as the files of a command line may be.
+ImportRequest as_request(ImportCase one, int seed);
 
 WorkRequest imports_request(const std::vector<ImportCase>& cases, const ImportTrial& trial);
 Expected<Work> open_import_work(const WorkRequest& request);

@@ -188,14 +188,10 @@ Expected<Work> open_plan_work(const WorkRequest& request) {
     return bytes;
   };
   work.objection = [plans](std::int64_t first, int count, std::string_view bytes) {
-    const Expected<std::vector<PlanAnswer>> answers = plan_answers(bytes);
-    std::string objection = objection_of(answers, count);
-    for (int i = 0; objection.empty() && i < count; ++i)
-      if (const auto read = read_plan_answer(*plans, static_cast<std::size_t>(first + i),
-                                             (*answers)[static_cast<std::size_t>(i)]);
-          !read)
-        objection = read.errors().front().message;
-    return objection;
+    return objection_of(plan_answers(bytes), count, [&](const PlanAnswer& answer, int i) {
+      const auto read = read_plan_answer(*plans, static_cast<std::size_t>(first + i), answer);
+      return read ? std::string() : read.errors().front().message;
+    });
   };
   work.doubt = [plans](std::int64_t first, int count, std::string_view bytes) {
     const Expected<std::vector<PlanAnswer>> answers = plan_answers(bytes);

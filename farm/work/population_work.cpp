@@ -80,12 +80,9 @@ Expected<Work> open_members_work(const WorkRequest& request) {
     return bytes;
   };
   work.objection = [](std::int64_t first, int count, std::string_view bytes) {
-    const auto answers = member_answers(bytes);
-    std::string objection = objection_of(answers, count);
-    for (int i = 0; objection.empty() && i < count; ++i)
-      if ((*answers)[static_cast<std::size_t>(i)].index != first + i)
-        objection = "a member has another number";
-    return objection;
+    return objection_of(member_answers(bytes), count, [&](const PopulationMember& one, int i) {
+      return one.index == first + i ? "" : "a member has another number";
+    });
   };
   return work;
 }
@@ -145,13 +142,11 @@ Expected<Work> open_records_work(const WorkRequest& request) {
   };
   work.objection = [population, nodes = options.nodes](std::int64_t first, int count,
                                                        std::string_view bytes) {
-    const auto answers = unpack_records(bytes);
-    std::string objection = objection_of(answers, count);
-    for (int i = 0; objection.empty() && i < count; ++i)
-      if (!is_of((*answers)[static_cast<std::size_t>(i)],
-                 population->members[static_cast<std::size_t>(first + i)], nodes))
-        objection = "a record is of another member, or holds what no record can";
-    return objection;
+    return objection_of(unpack_records(bytes), count, [&](const PopulationRecord& record, int i) {
+      return is_of(record, population->members[static_cast<std::size_t>(first + i)], nodes)
+                 ? ""
+                 : "a record is of another member, or holds what no record can";
+    });
   };
   return work;
 }

@@ -39,6 +39,15 @@ std::string objection_of(const Expected<std::vector<T>>& answers, int count) {
          " are asked for";
 }
 
+/// The same, then what `each(answer, index)` says against the first answer that it says something against.
+template <class T, class Each>
+std::string objection_of(const Expected<std::vector<T>>& answers, int count, const Each& each) {
+  std::string objection = objection_of(answers, count);
+  for (int i = 0; objection.empty() && i < count; ++i)
+    objection = each((*answers)[static_cast<std::size_t>(i)], i);
+  return objection;
+}
+
 /// Of tasks of a search each: one of a few would take as long as what was asked for.
 inline int sampled_searches(std::int64_t items) { return items >= 5 ? 1 : 0; }
 

@@ -15,6 +15,8 @@ namespace coapt {
 /// all the same number, the labels count from 1 by layer.
 struct LabelNumbers {
   std::vector<int> anterior, posterior, annulus;
+
+  bool any() const { return !anterior.empty() || !posterior.empty() || !annulus.empty(); }
 };
 
 struct LabelUse {

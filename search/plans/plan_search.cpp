@@ -125,7 +125,7 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   result.fine_mesh = fine.mesh;
   result.model_draws = model.draws;
   result.draws_fit = evaluations.valve().fitted.has_value();
-  result.draws_chordae = !result.draws_fit && evaluations.valve().drawn_chordae.has_value();
+  result.draws_chordae = redraws_chordae(evaluations.valve());
   result.model_closures = model.closures;
   if (!model.before.empty()) result.before_under_draws = model_spread(model.before);
   if (model.draws > 0) result.observed = evaluations.valve().observed;
