@@ -187,9 +187,9 @@ std::map<std::string, std::string> words_of_request(const ImportPlaces& places) 
                                                {"/annulus", "--annulus", "the annulus"},
                                                {"/chordae", "--chordae", "the chordae"},
                                                {"/tips", "--tips", "the papillary tips"}}) {
-    const bool given = std::any_of(places.begin(), places.end(), [&](const auto& place) {
-      return place.first.starts_with(pointer);
-    });
+    const bool given = std::any_of(
+        places.begin(), places.end(),
+        [member = pointer](const auto& place) { return place.first.starts_with(member); });
     words[pointer] = given ? option : thing;
   }
   return words;

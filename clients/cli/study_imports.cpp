@@ -24,6 +24,7 @@
 #include "io/exchange/slicerheart.h"
 #include "io/json/parse_json.h"
 #include "io/json/subject.h"
+#include "io/json/version.h"
 #include "io/picture/csv_lines.h"
 #include "io/picture/import_picture.h"
 #include "search/threads.h"
