@@ -18,6 +18,8 @@ constexpr std::size_t kAnswerBytes = 17;
 // 256 closures of 648 triangles by method fast take about 1.2 s on one core; a closure grows with the triangles' number to
 // 1.5, and the thesis's method takes some hundred times as long.
 constexpr double kItems = 256.0, kTriangles = 648.0, kThesisFactor = 100.0;
+// Of a run: its workers end together, a lost one loses little, and what whoever asks computes again is a small share.
+constexpr std::int64_t kTasks = 16;
 constexpr std::int64_t kMostKeyNumber = std::int64_t{1} << 52;  // a double holds it
 
 std::int64_t read_key_number(const JsonPlace& place) {
@@ -42,11 +44,12 @@ ConfigurationKey read_key(const JsonPlace& place) {
   return key;
 }
 
-int items_at_once(const Valve& valve, const ClosureOptions& closure) {
+int items_at_once(const Valve& valve, const ClosureOptions& closure, std::int64_t of_all) {
   const double triangles = static_cast<double>(std::max<Index>(valve.faces.rows(), 1));
   double items = kItems * std::pow(kTriangles / triangles, 1.5);
   if (closure.method == Method::Thesis) items /= kThesisFactor;
-  return static_cast<int>(std::clamp(items, 1.0, kItems));
+  const double share = static_cast<double>(std::max<std::int64_t>(of_all / kTasks, 1));
+  return static_cast<int>(std::clamp(items, 1.0, std::min(share, kItems)));
 }
 
 /// Outlives the work that it is made for: it may know the shared table alone.
@@ -150,7 +153,7 @@ Expected<Work> open_orifice_work(const WorkRequest& request, OrificeTables* tabl
   if (!problems.empty()) return std::move(problems).take();
   Work work;
   work.items = std::ssize(keys);
-  work.task_items = items_at_once(valve, closure);
+  work.task_items = items_at_once(valve, closure, work.items);
   auto table =
       tables == nullptr ? std::make_shared<SharedTable>() : tables->of(subject_of(valve, closure));
   const auto worker =

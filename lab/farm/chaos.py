@@ -3,7 +3,7 @@
 
 Starts a private PostgreSQL, runs `coapt study generality` of the presets and of N coarse valves by its farm, and kills one worker after
 the other (SIGKILL), each time starting another in its place. Then asks what the database counted, and runs the same study of the first
-valves (--against) in one process: its findings must be the same, line by line. Prints JSON."""
+valves (--against) in one process: its findings must be the same, line by line. Prints JSON; a line a minute on its standard error."""
 
 import argparse
 import csv
@@ -58,7 +58,7 @@ def main():
     parser.add_argument("bin", type=pathlib.Path)
     parser.add_argument("--valves", type=int, default=50)
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--every", type=float, default=5.0, help="seconds between kills")
+    parser.add_argument("--every", type=float, default=5.0, help="seconds between kills; 0: none")
     parser.add_argument("--against", type=int, default=2, help="valves of the run in one process")
     parser.add_argument("--lease", default="10")
     asked = parser.parse_args()
@@ -80,28 +80,39 @@ def main():
     def study(name, count):
         return [asked.bin / "coapt", "study", "generality", *valves[:count], "--anatomies", "0", "-o", folder / name]
 
+    def counted():
+        (items, results, lost, differing), *_ = postgres.sql(
+            "farm",
+            "SELECT (SELECT coalesce(sum(items), 0) FROM coapt_farm.run), (SELECT coalesce(sum(n), 0) FROM coapt_farm.result),"
+            " (SELECT count(*) FROM coapt_farm.fault WHERE what = 'lost'),"
+            " (SELECT count(*) FROM coapt_farm.fault WHERE what = 'differs')",
+        )
+        return {
+            "closures": int(items),
+            "answered": int(results),
+            "kills": kills,
+            "leases_lost": int(lost),
+            "answers_that_differ": int(differing),
+            "seconds": round(time.monotonic() - started),
+        }
+
     valves = list(make_valves(asked.bin / "coapt", folder, asked.valves))
     workers = [worker() for _ in range(asked.workers)]
-    started = time.monotonic()
+    started, kills, next_line = time.monotonic(), 0, 60.0
     run = subprocess.Popen(study("farm", asked.valves), env=environment, stdout=subprocess.DEVNULL)
-    kills = 0
     try:
         while run.poll() is None:
-            try:
-                run.wait(asked.every)
-            except subprocess.TimeoutExpired:
+            time.sleep(asked.every or 1.0)
+            if asked.every > 0:
                 oldest = workers.pop(0)
                 oldest.send_signal(signal.SIGKILL)
                 oldest.wait()
                 workers.append(worker())
                 kills += 1
-        seconds = time.monotonic() - started
-        (items, results, lost, differing), *_ = postgres.sql(
-            "farm",
-            "SELECT (SELECT sum(items) FROM coapt_farm.run), (SELECT sum(n) FROM coapt_farm.result),"
-            " (SELECT count(*) FROM coapt_farm.fault WHERE what = 'lost'),"
-            " (SELECT count(*) FROM coapt_farm.fault WHERE what = 'differs')",
-        )
+            if time.monotonic() - started > next_line:
+                print(json.dumps(counted()), file=sys.stderr, flush=True)
+                next_line += 60.0
+        answer = counted()
         tasks, *_ = postgres.sql("farm", "SELECT sum(tasks) FROM coapt_farm.worker")
     finally:
         for process in workers:
@@ -111,20 +122,14 @@ def main():
     alone = {name: value for name, value in os.environ.items() if name != "COAPT_FARM"}
     subprocess.run(study("alone", asked.against), env=alone, check=True, stdout=subprocess.DEVNULL)
     same = findings(folder / "farm", asked.against) == findings(folder / "alone", asked.against)
-    answer = {
-        "closures": int(items),
-        "answered": int(results),
-        "kills": kills,
-        "leases_lost": int(lost),
-        "answers_that_differ": int(differing),
+    answer |= {
         "tasks_computed": int(tasks[0]),
-        "seconds": round(seconds),
-        "closures_per_s": round(int(items) / seconds),
+        "closures_per_s": round(answer["closures"] / answer["seconds"]),
         "findings_as_in_one_process": same,
         "compared_valves": asked.against,
     }
     print(json.dumps(answer, indent=2))
-    sys.exit(0 if run.returncode == 0 and same and items == results else 1)
+    sys.exit(0 if run.returncode == 0 and same and answer["closures"] == answer["answered"] else 1)
 
 
 if __name__ == "__main__":

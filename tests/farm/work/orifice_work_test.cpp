@@ -55,7 +55,6 @@ TEST(OrificeWork, GivesTheTablesBitsInAnyPartsOnAnyThreads) {
     const Expected<Work> work = open_work(*request);
     ASSERT_TRUE(work);
     ASSERT_EQ(work->items, 8);
-    EXPECT_EQ(work->task_items, 256) << "a small valve closes quickly";
     std::string bytes;
     for (int first = 0; first < 8; first += at_once)
       bytes += work->compute(first, std::min(at_once, 8 - first), 1 + first % 2);
@@ -63,6 +62,15 @@ TEST(OrificeWork, GivesTheTablesBitsInAnyPartsOnAnyThreads) {
     ASSERT_TRUE(samples);
     for (std::size_t i = 0; i < asked.size(); ++i) expect_same((*samples)[i], expected[i]);
     EXPECT_EQ(work->compute(2, 2, 1), bytes.substr(2 * 17, 2 * 17)) << "computed again";
+  }
+}
+
+TEST(OrificeWork, ATaskIsASixteenthOfTheRunAtMostAnd256ItemsOfASmallValve) {
+  for (const auto& [items, task_items] : {std::pair(8, 1), {160, 10}, {4'096, 256}, {8'000, 256}}) {
+    const std::vector<ConfigurationKey> keys(items);
+    const Expected<Work> work = open_work(*orifice_request(small_valve(), {}, keys));
+    ASSERT_TRUE(work);
+    EXPECT_EQ(work->task_items, task_items) << items << " items";
   }
 }
 
