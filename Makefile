@@ -194,7 +194,7 @@ attacks: programs  ## the service under attack, its long form: 20,000 hostile re
 
 farm-chaos: programs  ## a farm whose workers are killed every 5 s through a million closures
 	@cmake/install_packages.sh farm
-	lab/farm/chaos.py $(BIN) --valves 480
+	lab/farm/chaos.py $(BIN) --valves 130
 
 instructions: lab  ## machine instructions of a closure by function, where clocks are noisy
 	@cmake/install_packages.sh profile

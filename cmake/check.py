@@ -5,7 +5,7 @@ A phase is a call of make. Phases of a lane follow each other, lanes of a stage 
 leave cores idle while they are tested. A phase is left out if nothing that it is made of differs from COMMIT, by default the
 commit where the branch left origin/main; where git does not know that, none is. --nightly leaves out none and adds what takes
 hours; of these `attacks` takes an hour: other clients beside each attack (4 minutes), 20,000 hostile requests (20 to 27), a
-soak (8), kills at random moments (12 to 20), damaged databases (1). What a phase prints is in build/check/PHASE.log, and is shown
+soak (8), kills at random moments (12 to 20), damaged databases (1); `chaos`, a farm whose workers are killed, 1.5 hours. What a phase prints is in build/check/PHASE.log, and is shown
 if it fails. The end is a table, a line a phase:
 phase, wall seconds, processor seconds, tests run.
 """
@@ -119,6 +119,7 @@ NIGHTLY = (
     Phase("clang", "clang"),
     Phase("fuzz", "fuzz FUZZ_LIMIT=-max_total_time=600"),
     Phase("attacks", "attacks"),
+    Phase("chaos", "farm-chaos"),
     Phase("arm64", "arm64"),
     Phase("gallery", "gallery"),
     Phase("documents", "docs"),
