@@ -3,13 +3,15 @@
 #include <atomic>
 #include <string>
 
+#include "search/conditioning.h"
 #include "search/threads.h"
 
 namespace coapt {
 
 int draw_closures(const RepairRequest& asked, int draws) {
   const int redrawn = redraws_chordae(asked.valve) ? 1 : 0;  // a closure gives them their lengths
-  return ((asked.plan.steps.empty() ? 1 : 2) + redrawn) * draws;
+  return ((asked.plan.steps.empty() ? 1 : 2) + redrawn) *
+         draw_blocks(asked.valve.observed, draws).draws;
 }
 
 Errors check_draws(const RepairRequest& asked, int draws, const Context& context) {

@@ -19,6 +19,11 @@ double distance_sd(const Observation& seen, const ModelFigures& draw) {
 
 }  // namespace
 
+DrawBlocks draw_blocks(const std::vector<Observation>& observed, int asked) {
+  if (asked == 0 || observed.empty()) return {.draws = asked};
+  return {std::max(asked, kConditionedDraws), kMostBlocks};
+}
+
 ModelFigures model_figures(const ValveMeasure& measure) {
   double widest_mm = 0.0;
   for (const LeakOpening& opening : measure.leak.openings)

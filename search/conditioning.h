@@ -22,8 +22,13 @@ ModelFigures model_figures(const ValveMeasure& measure);
 inline constexpr double kLeastEffective = 20.0;
 /// An observation that no draw is nearer to than so many standard deviations contradicts the model.
 inline constexpr double kContradicting_sd = 3.0;
-/// A conditioned answer has so many draws, and up to four times as many are made to be weighed.
 inline constexpr int kConditionedDraws = 64, kMostBlocks = 4;
+
+/// How many draws are made at a time, and how often at most: where something was observed kConditionedDraws or more, up to four times.
+struct DrawBlocks {
+  int draws = 0, blocks = 1;
+};
+DrawBlocks draw_blocks(const std::vector<Observation>& observed, int asked);
 
 struct Conditioning {
   /// By draw, sum 1; 0 of draws that are not to be trusted. All others alike without observations, or where those contradict the model.

@@ -9,6 +9,7 @@
 #include "io/picture/study_page.h"
 #include "io/picture/text.h"
 #include "io/picture/text_table.h"
+#include "search/conditioning.h"
 #include "search/model_draw.h"
 
 namespace coapt {
@@ -77,9 +78,11 @@ std::string summary_of(const ModelStudy& study, const std::string& valve) {
 }  // namespace
 
 std::string weight_words(bool contradicts, double effective) {
-  return contradicts ? "contradicts the model: no variant lies within three standard deviations of "
-                       "it, so the variants are not weighted"
-                     : "are equivalent to " + fixed(effective, 0) + " of equal weight";
+  if (contradicts)
+    return "contradicts the model: no variant lies within three standard deviations of it, so the "
+           "variants are not weighted";
+  return "are equivalent to " + fixed(effective, 0) + " of equal weight" +
+         (effective < kLeastEffective ? ", too few for a reliable interval" : "");
 }
 
 std::vector<NamedFile> model_study_files(const ModelStudy& study, const std::string& valve) {

@@ -7,8 +7,8 @@
 
 Each draw is the truth once: its unrepaired leak is observed with an error of SHARE (at least 1 mm2), the other draws are
 weighed by that as search/conditioning.cpp does, and their 5 to 95 % interval of the repaired leak holds the true one or does
-not. --information prints what each measurement of `coapt study information` removes of the repaired leak's variance, by the
-same weights in place of a polynomial: the mean over truths of the variance that the weighed draws have. Needs python3-numpy.
+not. --information prints what each measurement of `coapt study information` removes of the repaired leak's variance, by such
+weights alone: what the weighed mean misses of each truth. Needs python3-numpy.
 """
 
 import argparse
@@ -40,12 +40,19 @@ def draws_of(path):
     }
 
 
+def lightest_weight(weights):
+    """As of core/metrics/quantile.h."""
+    ordered = np.sort(weights)
+    light = (np.cumsum(ordered)[:-1] <= 1e-3 * ordered.sum()) & (ordered[:-1] < ordered[1:])
+    return ordered[:-1][light].max(initial=0.0)
+
+
 def quantile(values, weights, share, counted=True):
     """As predicted_quantile() of core/metrics/quantile.h; where it is not `counted` how few the values are, between first and last."""
     order = np.argsort(values)
     values, weights = values[order], weights[order] / weights.sum()
-    kept = weights > 0.0
-    values, weights = values[kept], weights[kept]
+    kept = weights > (lightest_weight(weights) if counted else 0.0)
+    values, weights = values[kept], weights[kept] / weights[kept].sum()
     middles = np.cumsum(weights) - 0.5 * weights
     if counted:
         return np.interp(share + (share - 0.5) * (weights**2).sum(), middles, values)
@@ -85,7 +92,8 @@ def tell_information(draws, share, repeats, noise):
         for truth in range(len(leak)):
             for _ in range(repeats):
                 weights = weights_of(draws, figures, truth, share, noise)
-                left.append(weights @ (leak - weights @ leak) ** 2)
+                effective = 1.0 / (weights**2).sum()
+                left.append((leak[truth] - weights @ leak) ** 2 * effective / (effective + 1.0))
         print(f"{name}: removes {100 * max(0.0, 1.0 - np.mean(left) / leak.var()):.0f} % of the variance")
 
 

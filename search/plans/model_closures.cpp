@@ -13,21 +13,15 @@
 namespace coapt {
 namespace {
 
-constexpr std::uint64_t kSeed = 1,
-                        kFitSeed = 2;  // not the search's: another search, the same draws
-
 PlanClosure refused() {
   PlanClosure closure;
   closure.status = ClosureStatus::Diverged;
   return closure;
 }
 
-/// `count` draws, the block's own.
+/// `count` draws, the block's own; not of the search's seed: another search, the same draws.
 std::vector<ModelDraw> drawn(const PlanEvaluations& evaluations, int count, int block) {
-  const auto own = static_cast<std::uint64_t>(2 * block);
-  const ModelDraws draws(
-      evaluations.valve(),
-      {.count = count, .first = block * count, .seed = kSeed + own, .fit_seed = kFitSeed + own});
+  const ModelDraws draws(evaluations.valve(), {.count = count, .block = block});
   std::vector<ModelDraw> all(static_cast<std::size_t>(count));
   for_each_index(count, evaluations.threads(), [&](int i) {
     if (!evaluations.cancelled()) all[static_cast<std::size_t>(i)] = draws.at(i);
@@ -35,21 +29,11 @@ std::vector<ModelDraw> drawn(const PlanEvaluations& evaluations, int count, int 
   return all;
 }
 
-/// How many draws each block has, and how many blocks there are at most.
-struct Drawing {
-  int draws = 0, blocks = 1;
-};
-
-Drawing drawing_of(const Valve& valve, int asked) {
-  if (asked == 0 || valve.observed.empty()) return {.draws = asked};
-  return {std::max(asked, kConditionedDraws), kMostBlocks};
-}
-
 /// The unrepaired valve in a draw.
 struct Before {
   PlanClosure closure;
   double thickness_mm = 0.0;
-  std::optional<ModelFigures> figures = {};  ///< where something was observed, of one that closes
+  std::optional<ModelFigures> figures = {};  ///< of one that closes
 };
 
 /// None if the search was cancelled before.
@@ -63,11 +47,11 @@ std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
     all[at] = Before{refused()};
     const std::optional<Valve> valve = drawn_valve(draws[at], nullptr);
     if (!valve) return;
-    const ClosedPlan closed = evaluations.evaluate(*valve, start.closure.get());
+    const ClosedPlan closed =
+        with_leak_surface(*valve, evaluations.evaluate(*valve, start.closure.get()));
     all[at]->closure = plan_closure(closed.evaluation);
     all[at]->thickness_mm = valve->tissue.thickness_mm;
-    if (evaluations.valve().observed.empty() || !trusted(closed.evaluation)) return;
-    all[at]->figures = model_figures(with_leak_surface(*valve, closed).evaluation.measure);
+    if (trusted(closed.evaluation)) all[at]->figures = model_figures(closed.evaluation.measure);
   });
   return all;
 }
@@ -76,7 +60,7 @@ std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
 ModelClosures draw_and_close_before(PlanEvaluations& evaluations, int asked) {
   ModelClosures model;
   const std::vector<Observation>& observed = evaluations.valve().observed;
-  const auto [draws, blocks] = drawing_of(evaluations.valve(), asked);
+  const auto [draws, blocks] = draw_blocks(observed, asked);
   model.draws = draws;
   std::vector<ModelDraw> pool;
   std::vector<Before> before;
@@ -160,7 +144,7 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
 }
 
 int most_draw_closures(const Valve& valve, int plans, int asked) {
-  const auto [draws, blocks] = drawing_of(valve, asked);
+  const auto [draws, blocks] = draw_blocks(valve.observed, asked);
   return draws * (blocks + plans);
 }
 

@@ -36,7 +36,7 @@ struct ModelClosures {
   bool contradicts = false;  ///< what was observed contradicts the model: the draws are not weighed
   std::vector<ModelDraw> distinct;  ///< draws below, each once
   std::vector<int> picked;          ///< by draw: which of `distinct`
-  /// By draw; empty without draws, or if the search was cancelled before.
+  /// By draw, their leaks by the surface; empty without draws, or if the search was cancelled before.
   std::vector<PlanClosure> before;
   std::vector<CostContext> contexts;  ///< of costs there: as thick, as tense unrepaired
   std::map<const PlanRecord*, std::vector<PlanClosure>> plans;

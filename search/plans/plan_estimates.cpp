@@ -11,7 +11,10 @@
 namespace coapt {
 namespace {
 
-using NodeClosures = std::vector<const PlanClosure*>;
+struct Weighed {
+  std::vector<const PlanClosure*> closures;
+  std::vector<double> weights;  ///< empty: all alike
+};
 
 /// One valve, repaired or not, closed in all the ways that say something of its figures.
 struct Measured {
@@ -20,7 +23,7 @@ struct Measured {
   int triangles = 0;
   const PlanClosure* finer = nullptr;  ///< null: not closed, or not to be trusted
   int finer_triangles = 0;
-  NodeClosures draws{}, region{};
+  Weighed draws{}, region{};
   std::optional<PlanOpening> opening{};
 };
 
@@ -28,20 +31,30 @@ int triangles_of(const PlanEvaluations& evaluations) {
   return static_cast<int>(evaluations.valve().faces.rows());
 }
 
-NodeClosures addresses(const std::vector<PlanClosure>& closures) {
-  NodeClosures all;
-  for (const PlanClosure& closure : closures) all.push_back(&closure);
+/// A draw that was picked several times is one that weighs more: it says no more of the others.
+Weighed each_once(const std::vector<PlanClosure>& closures, const std::vector<int>& picked) {
+  Weighed all;
+  for (std::size_t i = 0; i < closures.size(); ++i) {
+    if (i > 0 && i < picked.size() && picked[i] == picked[i - 1]) {
+      all.weights.back() += 1.0;
+      continue;
+    }
+    all.closures.push_back(&closures[i]);
+    all.weights.push_back(1.0);
+  }
   return all;
 }
 
 /// Of those closures that are to be trusted: as far from `measured` as each is from that of the valve's own.
-std::optional<Interval> changed(const NodeClosures& closures, double PlanClosure::*figure,
+std::optional<Interval> changed(const Weighed& of, double PlanClosure::*figure,
                                 const PlanClosure& own, double measured) {
-  std::vector<double> values;
-  for (const PlanClosure* closure : closures)
-    if (trusted(*closure))
-      values.push_back(std::max(0.0, measured + closure->*figure - own.*figure));
-  return sampled_interval(values);
+  std::vector<double> values, weights;
+  for (std::size_t i = 0; i < of.closures.size(); ++i) {
+    if (!trusted(*of.closures[i])) continue;
+    values.push_back(std::max(0.0, measured + of.closures[i]->*figure - own.*figure));
+    if (!of.weights.empty()) weights.push_back(of.weights[i]);
+  }
+  return sampled_interval(values, weights);
 }
 
 Estimate with_spread(Estimate estimate, const Measured& known, double PlanClosure::*figure) {
@@ -107,8 +120,8 @@ PlanEstimates plan_estimates(const PlanEvaluations& evaluations, const PlanRecor
       finer != fine.plans.end() && trusted(finer->second))
     known.finer = &finer->second;
   if (const auto drawn = model.plans.find(&plan); drawn != model.plans.end() && !model.contradicts)
-    known.draws = addresses(drawn->second);
-  for (int node = 0; node < nodes; ++node) known.region.push_back(&plan.closures.at(node));
+    known.draws = each_once(drawn->second, model.picked);
+  for (int node = 0; node < nodes; ++node) known.region.closures.push_back(&plan.closures.at(node));
   PlanEstimates estimates = estimates_of(known);
   if (const std::optional<Durability> lasts = durability(plan))
     estimates.durability_mm = {lasts->expected_mm, durability_interval(plan, known.triangles)};
@@ -123,8 +136,9 @@ PlanEstimates estimates_before(const PlanEvaluations& evaluations, const ValveMe
                  .triangles = triangles_of(evaluations),
                  .finer_triangles = fine.triangles,
                  .opening = opening};
+  known.own.leak_mm2 = measure.leak.area_mm2;  // as the draws'
   if (fine.before && trusted(*fine.before)) known.finer = &*fine.before;
-  if (!model.contradicts) known.draws = addresses(model.before);
+  if (!model.contradicts) known.draws = each_once(model.before, model.picked);
   return estimates_of(known);
 }
 

@@ -10,14 +10,21 @@ namespace coapt {
 namespace {
 
 constexpr int kMostSeed = 0x7fffffff;
+constexpr std::uint64_t kFitApart = 1'000'003;  // fitted values have draws of their own
+
+std::uint64_t seed_of(const ModelDrawing& drawing) {
+  return drawing.seed + static_cast<std::uint64_t>(drawing.block);
+}
 
 }  // namespace
 
 ModelDraws::ModelDraws(const Valve& valve, const ModelDrawing& drawing)
-    : valve_(valve), first_(drawing.first), shares_(model_draws(drawing.count, drawing.seed)) {
+    : valve_(valve),
+      first_(drawing.block * drawing.count),
+      shares_(model_draws(drawing.count, seed_of(drawing))) {
   if (valve.fitted)
     fitted_ = latin_hypercube(drawing.count, static_cast<int>(valve.fitted->parameters.size()),
-                              drawing.fit_seed);
+                              seed_of(drawing) + kFitApart);
 }
 
 ModelDraw ModelDraws::at(int i, const ClosureBudget& budget) const {

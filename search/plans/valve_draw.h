@@ -19,10 +19,10 @@ struct ModelDraw {
   std::optional<Valve> valve;
 };
 
+/// One block of a valve's draws; blocks of one seed and count are different draws.
 struct ModelDrawing {
-  int count = 1;
-  int first = 0;                         ///< of these, among all of the valve
-  std::uint64_t seed = 1, fit_seed = 2;  ///< of shares, of fitted values
+  int count = 1, block = 0;
+  std::uint64_t seed = 1;
 };
 
 class ModelDraws {

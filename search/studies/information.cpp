@@ -108,16 +108,30 @@ Sample sample_of(const ModelStudy& study) {
   return sample;
 }
 
-/// Figures as measured, each of mean 0 and deviation 1 over the draws.
-Eigen::MatrixXd measured(const Sample& sample, const Measurement& by, std::mt19937_64& engine) {
-  Eigen::MatrixXd x(std::ssize(sample.draws), std::ssize(by.figures));
-  for (Eigen::Index i = 0; i < x.rows(); ++i)
-    for (Eigen::Index k = 0; k < x.cols(); ++k) {
-      const Figure& figure = by.figures[static_cast<std::size_t>(k)];
-      const double value = figure.value(*sample.draws[static_cast<std::size_t>(i)]);
-      x(i, k) = value + figure.sd(value) * normal_share(engine);
+/// A figure of each draw, with the error of measuring it.
+struct Measured {
+  Eigen::ArrayXd value, sd, seen;
+};
+
+std::vector<Measured> measured(const Sample& sample, const Measurement& by,
+                               std::mt19937_64& engine) {
+  const auto n = std::ssize(sample.draws);
+  std::vector<Measured> all(by.figures.size());
+  for (Measured& figure : all) figure = {Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n)};
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      all[k].value(i) = by.figures[k].value(*sample.draws[static_cast<std::size_t>(i)]);
+      all[k].sd(i) = by.figures[k].sd(all[k].value(i));
+      all[k].seen(i) = all[k].value(i) + all[k].sd(i) * normal_share(engine);
     }
+  return all;
+}
+
+/// Figures as seen, each of mean 0 and deviation 1 over the draws.
+Eigen::MatrixXd standardised(const Sample& sample, const std::vector<Measured>& figures) {
+  Eigen::MatrixXd x(std::ssize(sample.draws), std::ssize(figures));
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
+    x.col(k) = figures[static_cast<std::size_t>(k)].seen;
     const double mean = sample.weight.dot(x.col(k));
     x.col(k).array() -= mean;
     const double sd = std::sqrt(sample.weight.dot(x.col(k).cwiseAbs2()));
@@ -126,8 +140,26 @@ Eigen::MatrixXd measured(const Sample& sample, const Measurement& by, std::mt199
   return x;
 }
 
+/// Weighted mean square of what the others miss of each draw by their mean, weighed as they would be if it had been seen so
+/// (search/conditioning.h). Of few that agree the mean errs, too: by the n-th part of the variance of n.
+double left_by_weights(const Sample& sample, const std::vector<Measured>& figures) {
+  double missed = 0.0;
+  for (Eigen::Index i = 0; i < std::ssize(sample.draws); ++i) {
+    Eigen::ArrayXd square = Eigen::ArrayXd::Zero(sample.leak_mm2.size());
+    for (const Measured& figure : figures)
+      square += ((figure.value - figure.seen(i)) / figure.sd(i)).square();
+    square(i) = std::numeric_limits<double>::infinity();
+    const Eigen::ArrayXd agrees =
+        sample.weight.array() * (-0.5 * (square - square.minCoeff())).exp();
+    const double sum = agrees.sum(), n = sum * sum / agrees.square().sum();
+    const double mean = (agrees * sample.leak_mm2.array()).sum() / sum;
+    missed += sample.weight(i) * std::pow(sample.leak_mm2(i) - mean, 2) * n / (n + 1.0);
+  }
+  return missed;
+}
+
 /// Weighted mean square of what the polynomial of the other draws misses of each.
-double left_over(const Sample& sample, const Eigen::MatrixXd& x) {
+double left_by_polynomial(const Sample& sample, const Eigen::MatrixXd& x) {
   const Eigen::Index n = x.rows();
   Eigen::MatrixXd design(n, terms_of(x.row(0)).size());
   for (Eigen::Index i = 0; i < n; ++i) design.row(i) = terms_of(x.row(i));
@@ -157,9 +189,13 @@ std::vector<InformationRow> information_rows(const ModelStudy& study) {
     InformationRow row{measurement.name, std::numeric_limits<double>::quiet_NaN(),
                        std::numeric_limits<double>::quiet_NaN()};
     if (variance > 0.0 && study.effective >= kDrawsPerTerm * terms) {
-      double left = 0.0;
-      for (int repeat = 0; repeat < kRepeats; ++repeat)
-        left += left_over(sample, measured(sample, measurement, engine)) / kRepeats;
+      double by_weights = 0.0, by_polynomial = 0.0;
+      for (int repeat = 0; repeat < kRepeats; ++repeat) {
+        const std::vector<Measured> seen = measured(sample, measurement, engine);
+        by_weights += left_by_weights(sample, seen) / kRepeats;
+        by_polynomial += left_by_polynomial(sample, standardised(sample, seen)) / kRepeats;
+      }
+      const double left = std::min(by_weights, by_polynomial);
       row.share_removed = std::clamp(1.0 - left / variance, 0.0, 1.0);
       row.remaining_mm2 = std::sqrt(variance * (1.0 - row.share_removed));
     }

@@ -1,9 +1,10 @@
 // The value of information: which measurement of a valve would say most of a leak, as it is or repaired.
 //
 // Of draws of the model (model_study.h) each has a leak, and figures that a measurement would show of it, the unrepaired valve. What a
-// measurement removes of the leak's variance is 1 - E[Var(leak | measured)] / Var(leak). The conditional mean is a polynomial of second
-// degree in the measured figures, with errors of the measurement added to them (four times for each draw, by seed), fitted by
-// weighted least squares; each draw is predicted by the others, and the squares of what is left over give the conditional variance.
+// measurement removes of the leak's variance is 1 - E[Var(leak | measured)] / Var(leak). Each draw is measured four times, with errors by
+// seed, and its leak is predicted from the others in two ways: by their mean as they would weigh then, which knows every shape of the
+// relation but needs draws that agree, and by a polynomial of second degree in the figures, fitted by weighted least squares, which
+// needs few. The squares of what is left over are at least the conditional variance in the mean, so the way that leaves less counts.
 // Draws count as they weigh by what was observed already: a second look at the same figure says little more.
 #pragma once
 
@@ -20,7 +21,7 @@ struct InformationRow {
   double remaining_mm2 = 0.0;  ///< standard deviation of the leak that would be left
 };
 
-/// Most telling first. @param study its draws with figures of the unrepaired valve (ModelStudyOptions::unrepaired where it is repaired)
+/// Most telling first. @param study its draws with figures of the unrepaired valve where it is repaired
 std::vector<InformationRow> information_rows(const ModelStudy& study);
 
 }  // namespace coapt

@@ -17,8 +17,6 @@
 namespace coapt {
 namespace {
 
-constexpr std::uint64_t kFitApart = 1'000'003;  // fitted values have draws of their own
-
 ModelUncertainty uncertainty(double as_it_is_mm2, const std::vector<ModelStudyDraw>& draws) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ModelUncertainty found{as_it_is_mm2, nan, nan, nan, nan, {}};
@@ -78,27 +76,23 @@ ModelStudyDraw closed_draw(const ModelDraw& drawn, const Evaluator& evaluate,
 }
 
 /// Draws of the next block; those closed before it was cancelled, in order.
-void add_block(const Valve& valve, int block, const Evaluator& evaluate,
+void add_block(const Valve& valve, int block, int count, const Evaluator& evaluate,
                const ModelStudyOptions& options, std::vector<ModelStudyDraw>& all) {
   const auto is_cancelled = [&] { return options.cancelled && options.cancelled(); };
-  const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(block);
-  const ModelDraws drawn(valve, {.count = options.draws,
-                                 .first = block * options.draws,
-                                 .seed = seed,
-                                 .fit_seed = seed + kFitApart});
+  const ModelDraws drawn(valve, {.count = count, .block = block, .seed = options.seed});
   ClosureBudget budget;
   budget.cancelled = options.cancelled;
-  std::vector<std::optional<ModelStudyDraw>> draws(static_cast<std::size_t>(options.draws));
+  std::vector<std::optional<ModelStudyDraw>> draws(static_cast<std::size_t>(count));
   Mutex mutex;
-  int done = block * options.draws;
-  for_each_index(options.draws, options.threads, [&](int i) {
+  int done = block * count;
+  for_each_index(count, options.threads, [&](int i) {
     if (is_cancelled()) return;
     const ModelDraw draw = drawn.at(i, budget);
     if (is_cancelled()) return;
     draws[static_cast<std::size_t>(i)] = closed_draw(draw, evaluate, options);
     const Lock lock(mutex);
     ++done;
-    if (options.progress) options.progress(done, (block + 1) * options.draws);
+    if (options.progress) options.progress(done, (block + 1) * count);
   });
   for (std::optional<ModelStudyDraw>& draw : draws)
     if (draw) all.push_back(*std::move(draw));
@@ -141,9 +135,9 @@ ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {
   study.as_it_is =
       evaluate(options.plan == nullptr ? valve : *apply_plan(valve, *options.plan), nullptr)
           .evaluation;
-  const int blocks = study.observed.empty() ? 1 : kMostBlocks;
+  const auto [draws, blocks] = draw_blocks(study.observed, options.draws);
   for (int block = 0; block < blocks; ++block) {
-    add_block(valve, block, evaluate, options, study.draws);
+    add_block(valve, block, draws, evaluate, options, study.draws);
     if (weigh(study) || (options.cancelled && options.cancelled())) break;
   }
   for (const ModelStudyDraw& draw : study.draws) study.untrusted += !draw.trusted;

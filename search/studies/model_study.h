@@ -18,14 +18,12 @@
 namespace coapt {
 
 struct ModelStudyOptions {
-  int draws = 256;  ///< at least 1
+  int draws = 256;  ///< at least 1; where something was observed as many as draw_blocks() says
   std::uint64_t seed = 1;
   int threads = 0;                         ///< 0: all cores; does not change the answer
   std::function<void(int, int)> progress;  ///< closures made, planned; from one thread at a time
   std::function<bool()> cancelled;         ///< from any thread; what is closed by then counts
   /// The repair whose leak is asked for; the valve itself, of which Valve::observed was seen, is closed in each draw, too. Null: none.
-  /// Where something was observed and the draws that it leaves weigh as fewer than kLeastEffective, as many more are made, up to
-  /// kMostBlocks times.
   const RepairPlan* plan = nullptr;
   Evaluator evaluate;  ///< closes and measures the least surface if empty
 };

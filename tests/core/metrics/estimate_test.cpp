@@ -32,6 +32,23 @@ TEST(Quantile, AValueWithoutWeightIsAsIfItWereNotThere) {
   EXPECT_EQ(predicted_quantile({1.0, 2.0, 3.0}, {0.0, 0.5, 0.0}, 0.05), 2.0);
 }
 
+TEST(Quantile, PredictedItLeavesOutTheLightestThousandth) {
+  // Eight values that weigh, among many at the ends that hardly do: 19 would be needed to reach 5 and 95 %.
+  std::vector<double> values, weights;
+  for (int i = 0; i < 100; ++i) {
+    values.push_back(i);
+    weights.push_back(i >= 40 && i < 48 ? 1.0 : 1e-6);
+  }
+  EXPECT_EQ(predicted_quantile(values, weights, 0.05), 40.0);
+  EXPECT_EQ(predicted_quantile(values, weights, 0.95), 47.0);
+  // Of values that weigh alike none is left out, however many they are.
+  const std::vector<double> alike(values.size() * 50, 1.0);
+  std::vector<double> many;
+  for (int i = 0; i < 50; ++i) many.insert(many.end(), values.begin(), values.end());
+  EXPECT_EQ(predicted_quantile(many, alike, 0.0), 0.0);
+  EXPECT_EQ(predicted_quantile(many, alike, 1.0), 99.0);
+}
+
 TEST(Quantile, IsDrawnToTheHeavyValue) {
   // Middles of the weights at 0.5, 3 and 5.5 of 6; a quarter of 6 is moved by a quarter of 18 / 6, for so few values.
   EXPECT_EQ(predicted_quantile({1.0, 2.0, 10.0}, {1.0, 4.0, 1.0}, 0.5), 2.0);
@@ -65,6 +82,24 @@ TEST(Estimate, GivesWayToTheTissueThatExcludesIt) {
   EXPECT_FALSE(tissue_excludes_value(leak)) << "the computation may be so far off";
   leak.numerical.reset();
   EXPECT_TRUE(tissue_excludes_value(leak));
+}
+
+TEST(Estimate, IsSaidByItsWidestPart) {
+  // The same in clients/web/test/unit/estimate.test.ts.
+  const auto said = [](const Estimate& estimate) {
+    const auto [value, interval, cause] = words_of(estimate);
+    return value + " | " + interval + " | " + cause;
+  };
+  Estimate leak{0.3};
+  EXPECT_EQ(said(leak), "0.3 |  | ");
+  leak.numerical = Interval{0.0, 1.4};
+  EXPECT_EQ(said(leak), "0.3 ± 1.1 |  | ± numerical error");
+  leak.numerical = Interval{0.4, 1.5};
+  EXPECT_EQ(said(leak), "0.3 | 0.4 to 1.5 | with numerical error (5 to 95 %)");
+  leak.tissue = Interval{0.1, 3.5};
+  EXPECT_EQ(said(leak), "0.3 | 0.1 to 3.5 | with tissue error (5 to 95 %)");
+  leak.execution = Interval{0.0, 14.2};
+  EXPECT_EQ(said(leak), "0 | 0 to 14 | with errors of execution (5 to 95 %)");
 }
 
 TEST(Estimate, ShowsItsWidestPart) {
