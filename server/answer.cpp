@@ -45,7 +45,7 @@ std::string content_bytes(const Answer& answer) {
   if (const auto* content = std::get_if<Content>(&answer.body)) return content->bytes;
   const auto* json = std::get_if<Json>(&answer.body);
   if (json == nullptr || json->is_null()) return "";
-  return json->dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(*json);
 }
 
 Headers all_headers(const Answer& answer) {

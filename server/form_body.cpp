@@ -117,7 +117,7 @@ Expected<std::string> json_of_form(std::string_view body, std::string_view conte
       return errors;
     body.remove_prefix(end + next.size());
   }
-  return document.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(document);
 }
 
 }  // namespace coapt

@@ -114,7 +114,7 @@ int run(const CloseArguments& arguments, const std::optional<Service>& service) 
   const Expected<Json> closure = close_it();
   if (!closure) return report_close(closure.errors(), asked.sources);
   if (arguments.json)
-    std::cout << closure->dump(2) << '\n';
+    std::cout << json_text(*closure, 2) << '\n';
   else
     print_closure(std::cout, *closure);
   if (!arguments.closed.empty())

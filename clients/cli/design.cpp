@@ -69,12 +69,12 @@ int run(DesignArguments arguments) {
           write_ring_files(arguments.output, arguments.printed_size_mm, **result, source))
     return failed;
   if (arguments.json) {
-    std::cout << to_json(**result, source).dump(2) << '\n';
+    std::cout << json_text(to_json(**result, source), 2) << '\n';
     return exit_code::kOk;
   }
   print_ring_design(std::cout, **result, source);
-  std::cout << "Written to " << arguments.output;
-  for (const std::string& file : ring_files(arguments.output)) std::cout << ", " << file;
+  std::cout << "Written to " << printable(arguments.output);
+  for (const std::string& file : ring_files(arguments.output)) std::cout << ", " << printable(file);
   std::cout << '\n';
   return exit_code::kOk;
 }

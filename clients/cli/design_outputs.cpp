@@ -49,7 +49,7 @@ void print_ring_design(std::ostream& out, const RingDesignResult& result,
                        const RingDesignSource& source) {
   const RingDesign& design = result.search.design;
   const RingVerdict& all = result.verdicts.front();
-  out << "Ring " << design.shape.name << " for " << source.population << '\n'
+  out << "Ring " << design.shape.name << " for " << printable(source.population) << '\n'
       << "  shares of its width:";
   for (const RingTermRow& row : kRingTerms)
     out << ' ' << row.name << ' ' << fixed(design.shape.terms.*row.member, 3);

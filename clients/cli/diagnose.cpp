@@ -55,7 +55,7 @@ int run(const DiagnoseArguments& arguments, const std::optional<Service>& servic
     return closes ? status : exit_code::kNotClosed;
   }
   if (arguments.json)
-    std::cout << diagnosis->dump(2) << '\n';
+    std::cout << json_text(*diagnosis, 2) << '\n';
   else
     print_diagnosis(std::cout, *diagnosis);
   return exit_code::kOk;

@@ -64,7 +64,7 @@ int read_plans(const EvaluateArguments& arguments, const Valve* valve,
 int show(const EvaluateArguments& arguments, Json result) {
   for (Json& plan : result["plans"]) plan["file"] = plan["name"];
   if (arguments.json) {
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result, 2) << '\n';
   } else {
     print_ranked(std::cout, result);
   }

@@ -9,6 +9,7 @@
 #include "clients/cli/observed_options.h"
 #include "clients/cli/read_argument.h"
 #include "core/valve/number_text.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/json/valve_json.h"
@@ -56,7 +57,7 @@ int run(const ObserveArguments& arguments, const std::optional<Service>& service
   for (const Observation& seen : valve->observed)
     std::cout << "  " << row_of(seen.figure).name << ": " << significant(seen.value, 4) << ", sd "
               << significant(seen.sd, 3) << ' ' << row_of(seen.figure).unit
-              << (seen.source.empty() ? "" : ", " + seen.source) << '\n';
+              << (seen.source.empty() ? "" : ", " + printable(seen.source)) << '\n';
   return exit_code::kOk;
 }
 

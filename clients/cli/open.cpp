@@ -56,7 +56,7 @@ int run(const OpenArguments& arguments, const std::optional<Service>& service) {
                           {{"/pressure_mmhg", "--pressure"}, {"/flow_ml_s", "--flow"}});
   opening->erase("scene");
   if (arguments.json)
-    std::cout << opening->dump(2) << '\n';
+    std::cout << json_text(*opening, 2) << '\n';
   else
     print_opening(std::cout, *opening);
   if (!arguments.opened.empty())

@@ -32,7 +32,7 @@ void print_json() {
                     {"doors", door_names(operation.doors)},
                     {"needs_store", operation.needs_store}});
   }
-  std::cout << Json{{"operations", list}, {"notice", kResearchNotice}}.dump(2) << '\n';
+  std::cout << json_text(Json{{"operations", list}, {"notice", kResearchNotice}}, 2) << '\n';
 }
 
 void print_text() {
@@ -66,11 +66,11 @@ std::string printed(const OperationAnswer& answer) {
   if (const auto* const document = std::get_if<Json>(&answer)) {
     Json told = *document;
     told["notice"] = kResearchNotice;
-    return told.dump(2) + '\n';
+    return json_text(told, 2) + '\n';
   }
   const auto& file = std::get<AnswerFile>(answer);
   if (!file.name.empty() || !file.type.starts_with("application/json")) return file.bytes;
-  return Json::parse(file.bytes, nullptr, false).dump(2) + '\n';
+  return json_text(Json::parse(file.bytes, nullptr, false), 2) + '\n';
 }
 
 /// The answer to a request as it is, of any operation.

@@ -200,7 +200,7 @@ class PlanFolder {
     if (const int failed = write_plans(arguments_.report, given, answer, plans)) return failed;
     summary_.push_back(summary_row(given.name, plans));
     const std::string& words = summary_.back()[5];
-    std::cout << printable(given.name) << ": " << (words.empty() ? "no plan" : words) << '\n';
+    std::cout << printable(given.name + ": " + (words.empty() ? "no plan" : words)) << '\n';
     worst_ = std::max(worst_, exit_code_of_plans(plans));
     return exit_code::kOk;
   }
@@ -209,7 +209,7 @@ class PlanFolder {
   int finish() const {
     const std::string table = (fs::path(arguments_.report) / "summary.csv").string();
     if (const int failed = write_output(table, table_csv(summary_))) return failed;
-    std::cout << "Written to " << table << ", each valve's plans beside it\n";
+    std::cout << "Written to " << printable(table) << ", each valve's plans beside it\n";
     return worst_;
   }
 
@@ -226,7 +226,7 @@ class PlanFolder {
 int show_plans(const PlanArguments& arguments, Json result) {
   if (arguments.preference) add_preferred_over_next(result, *arguments.preference);
   if (arguments.json) {
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result, 2) << '\n';
   } else {
     print_ranked(std::cout, result);
   }

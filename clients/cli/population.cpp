@@ -74,7 +74,8 @@ void print_population(const Population& population, const std::string& directory
     std::cout << "  " << to_string(aetiology.aetiology) << ": " << members << ", mean leak "
               << fixed(leak / static_cast<double>(members), 1) << " mm2\n";
   }
-  std::cout << assumed_words(population.prior) << "\nWritten to " << directory << "/index.html\n";
+  std::cout << printable(assumed_words(population.prior)) << "\nWritten to " << printable(directory)
+            << "/index.html\n";
 }
 
 int run_make(const PopulationMakeArguments& arguments) {
@@ -97,7 +98,7 @@ int run_make(const PopulationMakeArguments& arguments) {
   if (!errors.empty()) return report_errors("population make", errors);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const std::string json = to_json(population).dump() + "\n";
+  const std::string json = json_text(to_json(population)) + "\n";
   for (const auto& [name, content] : {std::pair<std::string, std::string>{"population.json", json},
                                       {"members.csv", members_csv(population)},
                                       {"index.html", population_page(population)}})

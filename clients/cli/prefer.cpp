@@ -60,7 +60,7 @@ int print_next(const Interview& interview) {
                {"first_places", first_places_json(interview, draws)}};
   if (question)
     json["question"] = to_json(*question, interview.of.cases, interview.arguments.hide_figures);
-  std::cout << json.dump(2) << '\n';
+  std::cout << json_text(json, 2) << '\n';
   return exit_code::kOk;
 }
 
@@ -91,8 +91,8 @@ int ask(Interview& interview) {
     if (count > 0) {
       std::cout << '\n' << counted(static_cast<long>(count), "answer");
       for (const auto& place : first_places_json(interview, draws))
-        std::cout << "; best of " << place["file"].get<std::string>() << ": plan " << place["rank"]
-                  << " (" << percent(place["probability"]) << " sure)";
+        std::cout << "; best of " << printable(place["file"].get<std::string>()) << ": plan "
+                  << place["rank"] << " (" << percent(place["probability"]) << " sure)";
       std::cout << '\n';
     }
     const auto question = next_question(interview.of.cases, interview.sheet.answers, draws);
@@ -124,7 +124,7 @@ int compare(const Interview& interview) {
                        {"pairs", found.pairs},
                        {"alike", found.pairs > 0 ? Json(found.share) : kappa},
                        {"kappa", kappa}};
-    std::cout << json.dump(2) << '\n';
+    std::cout << json_text(json, 2) << '\n';
   } else {
     std::cout << counted(found.pairs, "pair") << " answered by both";
     if (found.pairs > 0) std::cout << ", " << percent(found.share) << " of them the same way";
@@ -156,7 +156,7 @@ int run(const PreferArguments& arguments) {
   if (!arguments.output.empty())
     if (const int failed = write_output(arguments.output, weights.dump(2) + '\n')) return failed;
   if (arguments.json) {
-    std::cout << weights.dump(2) << '\n';
+    std::cout << json_text(weights, 2) << '\n';
   } else {
     print_weights(std::cout, weights);
   }

@@ -14,7 +14,7 @@ namespace {
 void print_json() {
   Json presets = Json::array();
   for (const std::string& name : preset_names()) presets.push_back(preset_words(name));
-  std::cout << Json{{"presets", presets}, {"notice", kResearchNotice}}.dump(2) << '\n';
+  std::cout << json_text(Json{{"presets", presets}, {"notice", kResearchNotice}}, 2) << '\n';
 }
 
 void print_text() {

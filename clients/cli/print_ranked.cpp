@@ -208,7 +208,7 @@ void print_plan(std::ostream& out, const Json& plan, const std::vector<std::stri
   print_beaten(out, plan);
   print_fine(out, plan);
   if (plan["status"] != "converged" || plan["crossing"].get<bool>())
-    out << "      ! " << plan["status"].get<std::string>() << ", " << crossing_words(plan) << '\n';
+    print_words(out, "      ! ", plan["status"].get<std::string>() + ", " + crossing_words(plan));
   for (const std::string& warning : warnings_of(plan))
     if (std::find(shared.begin(), shared.end(), warning) == shared.end())
       print_words(out, "      ! ", warning);
@@ -226,7 +226,7 @@ void print_plans(std::ostream& out, const Json& plans) {
   const std::vector<std::string> lines = table_lines(plans, rows, shared);
   out << lines.front() << '\n';
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    out << lines[i + 1] << '\n';
+    out << printable(lines[i + 1]) << '\n';
     print_plan(out, plans[i], warnings);
   }
 }

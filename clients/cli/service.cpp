@@ -9,6 +9,7 @@
 #include <ctime>
 #include <thread>
 
+#include "core/valve/printable.h"
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 
@@ -22,6 +23,7 @@ constexpr std::chrono::milliseconds kFirstPause(250);  // before the second try;
 constexpr std::chrono::seconds kLongestPause(30), kStreamPause(2), kPatience(60);
 // The largest answers, reports and meshes, have some 30 MiB.
 constexpr std::size_t kMostAnswer = std::size_t{256} << 20, kMostEvent = std::size_t{16} << 20;
+constexpr int kMostLevels = 32;  // of JSON, as in requests
 constexpr std::chrono::seconds kConnect(10), kAnswer(300),
     kHeartbeats(45);  // the service's is 15 s
 
@@ -139,9 +141,35 @@ Expected<Reply> call_once(const Service& service, const Call& call) {
                result->has_header("Content-Disposition")};
 }
 
+/// Makes names and strings printable, but for whole files. False: nested too deep.
+bool clean(Json& json, int level = 0) {
+  if (level > kMostLevels) return false;
+  if (json.is_string()) json = printable(json.get_ref<const std::string&>());
+  if (json.is_array())
+    return std::all_of(json.begin(), json.end(), [&](Json& one) { return clean(one, level + 1); });
+  if (!json.is_object()) return true;
+  Json::object_t members;
+  auto& object = json.get_ref<Json::object_t&>();
+  members.reserve(object.size());
+  for (auto& [name, value] : object) {
+    const bool is_file = value.is_string() && (name == "text" || name == "base64");
+    if (!is_file && !clean(value, level + 1)) return false;
+    members.emplace_back(printable(name), std::move(value));
+  }
+  object.swap(members);
+  return true;
+}
+
+/// What a service said, of which nothing moves a terminal; discarded if it is not JSON.
+Json read_json(const std::string& text) {
+  Json json = Json::parse(text, nullptr, false);
+  if (clean(json)) return json;
+  return Json::value_t::discarded;
+}
+
 /// What a service, or a proxy before it, says against a request.
 Errors problems_of(const Service& service, const Reply& reply) {
-  const auto json = Json::parse(reply.body, nullptr, false);
+  const Json json = read_json(reply.body);
   if (json.is_object() && json.contains("problems"))
     if (Errors errors = errors_from_json(json["problems"]); !errors.empty()) return errors;
   return {Error{reply.status >= 500 ? ErrorCode::InputOutput : ErrorCode::Unsupported, "",
@@ -177,7 +205,7 @@ Expected<std::string> body_of(Expected<Reply> reply) {
 
 Expected<Json> json_of(const Service& service, const Expected<Reply>& reply) {
   if (!reply) return reply.errors();
-  Json json = Json::parse(reply->body, nullptr, false);
+  Json json = read_json(reply->body);
   if (json.is_discarded())
     return Error{ErrorCode::InputOutput, "", service.url + " did not answer with JSON"};
   return json;
@@ -213,7 +241,7 @@ class EventReader {
       if (line.starts_with("event: ")) kind = line.substr(7);
       if (line.starts_with("data: ")) data = line.substr(6);
     }
-    const Json json = Json::parse(data, nullptr, false);
+    const Json json = read_json(data);
     if (!json.is_object()) return;
     const std::string state = kind == "state" ? json.value("state", "") : "";
     ended_ = state == "SUCCEEDED" || state == "FAILED" || state == "CANCELLED";

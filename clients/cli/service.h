@@ -20,7 +20,7 @@ struct Service {
 /// it cannot be reached or does not work; Busy, if it has no time after several tries (its Retry-After is kept).
 Expected<std::string> get(const Service& service, const std::string& path);
 
-/// The same, as JSON.
+/// The same, as JSON. Its names and strings are printable(), but for members "text" and "base64", which hold whole files.
 Expected<Json> get_json(const Service& service, const std::string& path);
 
 struct ServiceAnswer {
@@ -30,7 +30,7 @@ struct ServiceAnswer {
 /// What answers a POST, as it is: a page, a file.
 Expected<ServiceAnswer> post(const Service& service, const std::string& path, const Json& body);
 
-/// The JSON that answers a POST, which is sent again if the answer gets lost. @param key Idempotency-Key; may be empty
+/// The JSON that answers a POST, as get_json() has it; sent again if the answer gets lost. @param key Idempotency-Key; may be empty
 Expected<Json> post_json(const Service& service, const std::string& path, const Json& body,
                          const std::string& key = "");
 

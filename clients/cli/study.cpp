@@ -12,6 +12,7 @@
 #include "clients/cli/server_option.h"
 #include "clients/cli/service_job.h"
 #include "clients/cli/study_directory.h"
+#include "core/valve/printable.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -35,7 +36,7 @@ struct StudyArguments {
 /// Prints a study's summary (study.json) and its findings; returns an exit code.
 int show(const StudyArguments& arguments, const Json& study, const Json& findings) {
   if (arguments.json) {
-    std::cout << study.dump(2) << '\n';
+    std::cout << json_text(study, 2) << '\n';
     return exit_code::kOk;
   }
   if (findings.empty()) std::cout << "No displacement causes a leak large enough to repair.\n";
@@ -44,7 +45,8 @@ int show(const StudyArguments& arguments, const Json& study, const Json& finding
               << finding["finding"].get<std::string>() << ": " << finding["ours"].get<std::string>()
               << '\n';
   std::cout << study["agree"] << " of " << findings.size() << " findings agree. "
-            << study_timing(study) << "\nWritten to " << arguments.directory << "/index.html\n";
+            << study_timing(study) << "\nWritten to " << printable(arguments.directory)
+            << "/index.html\n";
   return exit_code::kOk;
 }
 

@@ -95,7 +95,7 @@ int run(const StudyAnchorsArguments& arguments) {
               << to_string(a.objective) << ": trigone wins in " << a.trigone_wins << " of "
               << a.anatomies << " (" << a.ties << " ties)\n";
   std::cout << lead << ' ' << closures << " new closures in " << fixed(directory.seconds(), 0)
-            << " s.\nWritten to " << arguments.directory << "/index.html\n";
+            << " s.\nWritten to " << printable(arguments.directory) << "/index.html\n";
   return exit_code::kOk;
 }
 

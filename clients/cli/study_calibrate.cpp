@@ -107,7 +107,7 @@ int run(const StudyCalibrateArguments& arguments) {
         {"anatomy.csv", table_csv(anatomy_table(best))},
         {"index.html", page}})
     if (const int error = directory.write(name, content)) return error;
-  std::cout << "Written to " << arguments.directory << "/valve.json and index.html\n";
+  std::cout << "Written to " << printable(arguments.directory) << "/valve.json and index.html\n";
   return exit_code::kOk;
 }
 

@@ -135,7 +135,7 @@ int run(const StudyGeneralityArguments& arguments) {
     if (share.kind.empty())
       std::cout << share.agree << " of " << share.valves << "  " << share.finding << '\n';
   std::cout << lead << ' ' << closures << " new closures in " << fixed(directory.seconds(), 0)
-            << " s.\nWritten to " << arguments.directory << "/index.html\n";
+            << " s.\nWritten to " << printable(arguments.directory) << "/index.html\n";
   return exit_code::kOk;
 }
 

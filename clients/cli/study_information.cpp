@@ -63,7 +63,7 @@ int run(const StudyInformationArguments& arguments, const std::optional<Service>
   const Expected<Json> information = study_it();
   if (!information) return report_refusal("study information", information.errors(), asked.sources);
   if (arguments.json)
-    std::cout << information->dump(2) << '\n';
+    std::cout << json_text(*information, 2) << '\n';
   else
     print_information(*information);
   if (interrupted) return exit_code::kInterrupted;

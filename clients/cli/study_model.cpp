@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "clients/cli/read_argument.h"
 #include "clients/cli/result_exit_code.h"
 #include "clients/cli/run_options.h"
+#include "core/valve/printable.h"
 #include "io/command_line/command_line.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -31,7 +33,8 @@ struct StudyModelArguments {
 /// The files of the answer but for its summary, and the answer. Returns an exit code.
 int write_all(const std::string& directory, const Json& files, const Json& study) {
   const auto write = [&](const std::string& name, const std::string& content) {
-    return write_output(directory + "/" + name, content);
+    const std::string plain = std::filesystem::path(name).filename();  // nothing beside the folder
+    return write_output(directory + "/" + plain, content);
   };
   if (const int failed = write("model.json", study.dump(2) + "\n")) return failed;
   for (const Json& file : files)
@@ -64,10 +67,10 @@ int run(const StudyModelArguments& arguments, const std::optional<Service>& serv
   study->erase("files");
   if (const int failed = write_all(arguments.directory, files, *study)) return failed;
   if (arguments.json)
-    std::cout << study->dump(2) << '\n';
+    std::cout << json_text(*study, 2) << '\n';
   else
-    std::cout << files.back()["text"].get<std::string>() << "\nWritten to " << arguments.directory
-              << "/index.html\n";
+    std::cout << printable_lines(files.back()["text"].get<std::string>()) << "\nWritten to "
+              << printable(arguments.directory) << "/index.html\n";
   return interrupted ? exit_code::kInterrupted : exit_code_of_closure(*study);
 }
 

@@ -66,7 +66,7 @@ int run(const StudyPhysiologyArguments& arguments, const std::optional<Service>&
   const Expected<Json> physiology = study_it();
   if (!physiology) return report_refusal("study physiology", physiology.errors(), asked.sources);
   if (arguments.json)
-    std::cout << physiology->dump(2) << '\n';
+    std::cout << json_text(*physiology, 2) << '\n';
   else
     print_physiology(*physiology);
   const bool closed = !(*physiology)["rows"].front()["value"].is_null();

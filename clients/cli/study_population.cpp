@@ -156,7 +156,7 @@ int run(StudyPopulationArguments arguments) {
   PopulationStudy study = study_records(*population, *records, arguments.records.nodes);
   if (!interrupted) search_held_out(arguments, *population, *records, study);
   const std::string lead = lead_of(study, *population);
-  const std::string json = to_json(study).dump(2) + "\n";
+  const std::string json = json_text(to_json(study), 2) + "\n";
   for (const auto& [name, content] : files_of(study, *records, json, lead))
     if (const int error = write_output(arguments.directory + "/" + name, content)) return error;
   if (arguments.json) {
@@ -165,9 +165,9 @@ int run(StudyPopulationArguments arguments) {
     for (const std::string& sentence : study_sentences(study)) std::cout << sentence << '\n';
     if (study.tree)
       for (const std::string& line : tree_in_words(study.tree->tree)) std::cout << line << '\n';
-    std::cout << lead << "\n"
-              << fixed(seconds, 0) << " s for new closures. Written to " << arguments.directory
-              << "/index.html\n";
+    std::cout << printable(lead) << "\n"
+              << fixed(seconds, 0) << " s for new closures. Written to "
+              << printable(arguments.directory) << "/index.html\n";
   }
   return interrupted ? exit_code::kInterrupted : exit_code::kOk;
 }

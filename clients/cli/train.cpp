@@ -58,14 +58,14 @@ void print_case(const Json& made, const std::string& directory) {
                 << fixed(segment["change_mm"], 1) << " mm  "
                 << segment["mobility"].get<std::string>() << '\n';
   }
-  std::cout << "Written to " << directory << ": case.json, valves and pictures\n";
+  std::cout << "Written to " << printable(directory) << ": case.json, valves and pictures\n";
 }
 
 int finish(const TrainCaseArguments& arguments, CaseDirectory& directory, const Json& made) {
   directory.write("case.json", made.dump(2) + '\n');
   if (directory.failed()) return directory.failed();
   if (arguments.json) {
-    std::cout << made.dump(2) << '\n';
+    std::cout << json_text(made, 2) << '\n';
   } else {
     print_case(made, arguments.directory);
   }

@@ -37,7 +37,7 @@ int run(const TrainPowerArguments& arguments) {
                                  {"people_a_group", people(1.0)},
                                  {"people_a_group_correlated", people(arguments.design_effect)}});
   if (arguments.json) {
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result, 2) << '\n';
     return exit_code::kOk;
   }
   std::cout << percent(arguments.share) << " against " << percent(arguments.other)

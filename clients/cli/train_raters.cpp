@@ -148,7 +148,7 @@ int run(const TrainRatersArguments& arguments) {
                                         {exam_json("A", not_made_a, draws_a, of_a, kChanceA),
                                          exam_json("B", not_made_b, draws_b, of_b, kChanceB)}}});
   if (arguments.json) {
-    std::cout << result.dump(2) << '\n';
+    std::cout << json_text(result, 2) << '\n';
   } else {
     print_raters(result);
   }

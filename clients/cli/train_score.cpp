@@ -76,7 +76,7 @@ int run(const TrainExamArguments& arguments) {
   if (!schedule) return report_errors(arguments.schedule, schedule.errors());
   const auto exam = exam_to_json(*schedule, arguments.seed, arguments.first_case);
   if (arguments.json) {
-    std::cout << exam.dump(2) << '\n';
+    std::cout << json_text(exam, 2) << '\n';
   } else {
     print_exam(exam);
   }
@@ -90,7 +90,7 @@ int run(const TrainScoreArguments& arguments) {
   if (!trials) return report_errors(arguments.trials, trials.errors());
   const Json scores = score_to_json(*trials);
   if (arguments.json) {
-    std::cout << scores.dump(2) << '\n';
+    std::cout << json_text(scores, 2) << '\n';
   } else {
     print_scores(scores);
   }

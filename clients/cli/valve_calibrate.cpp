@@ -111,7 +111,7 @@ int run(ValveCalibrateArguments arguments) {
     result["valves"][valves.valves[v].name] = {{"rows_before", rows_json(before[v])},
                                                {"rows", rows_json(after[v])}};
   const std::string document =
-      result_document("coapt.calibration_result/1", std::move(result)).dump(2) + "\n";
+      json_text(result_document("coapt.calibration_result/1", std::move(result)), 2) + "\n";
   std::vector<std::pair<std::string, std::string>> files = {
       {"calibration.json", with_values(file->document, found.values).dump(2) + "\n"},
       {"result.json", document}};
@@ -132,8 +132,8 @@ int run(ValveCalibrateArguments arguments) {
     }
     std::cout << "Cost " << significant(found.cost_before, 4) << " to "
               << significant(found.cost, 4) << " in " << counted(found.evaluations, "evaluation")
-              << " (" << to_string(found.stop) << ").\nWritten to " << arguments.directory
-              << "/calibration.json, and a file for each valve\n";
+              << " (" << to_string(found.stop) << ").\nWritten to "
+              << printable(arguments.directory) << "/calibration.json, and a file for each valve\n";
   }
   return interrupted ? exit_code::kInterrupted : exit_code::kOk;
 }

@@ -20,7 +20,7 @@ int run(const ValveCheckArguments& arguments) {
   const Expected<Valve> valve = read_any_valve_argument(arguments.valve);
   const Errors problems = valve ? Errors{} : valve.errors();
   if (arguments.json) {
-    std::cout << Json{{"problems", to_json(problems)}}.dump(2) << '\n';
+    std::cout << json_text(Json{{"problems", to_json(problems)}}, 2) << '\n';
   } else {
     for (const Error& problem : problems) {
       std::cout << printable(problem.path.empty() ? arguments.valve : problem.path) << ": "

@@ -63,7 +63,7 @@ void print_json(const Valve& valve, const Summary& summary) {
                      {"leaflet_area_mm2", summary.leaflet_area_mm2},
                      {"pressure_kpa", valve.pressure_kpa},
                      {"provenance", valve.provenance}};
-  std::cout << json.dump(2) << '\n';
+  std::cout << json_text(json, 2) << '\n';
 }
 
 void print_text(const Valve& valve, const Summary& summary) {

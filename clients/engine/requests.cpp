@@ -11,8 +11,7 @@ namespace coapt {
 
 EngineAnswer json_answer(int status, Json object, Points closed_mm) {
   object["notice"] = kResearchNotice;
-  return {status, object.dump(-1, ' ', false, Json::error_handler_t::replace),
-          std::move(closed_mm)};
+  return {status, json_text(object), std::move(closed_mm)};
 }
 
 EngineAnswer problem(int status, const Errors& errors) {

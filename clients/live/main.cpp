@@ -12,6 +12,7 @@
 #include "clients/live/session_report.h"
 #include "clients/live/stylus_script.h"
 #include "core/live/live_valve.h"
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
 #include "io/command_line/interrupt.h"
@@ -100,9 +101,9 @@ int run(const LiveArguments& arguments) {
   for (const std::string& refused : session->real_time.refused)
     std::cerr << "coapt-live: " << refused << "; periods may be late\n";
   if (session->end == SessionEnd::Lost)
-    std::cerr << "coapt-live: " << arguments.device << ": " << session->lost << '\n';
+    std::cerr << "coapt-live: " << printable(arguments.device + ": " + session->lost) << '\n';
   if (arguments.json) {
-    std::cout << to_json(*session, arguments.session.rate_hz).dump(2) << '\n';
+    std::cout << json_text(to_json(*session, arguments.session.rate_hz), 2) << '\n';
   } else {
     print_session(std::cout, *session, arguments.session.rate_hz);
   }
@@ -170,7 +171,7 @@ int main(int argc, char** argv) {
   try {
     return coapt::run(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "coapt-live: " << error.what() << '\n';
+    std::cerr << "coapt-live: " << coapt::printable(error.what()) << '\n';
     return coapt::exit_code::kFailure;
   }
 }

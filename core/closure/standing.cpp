@@ -3,9 +3,13 @@
 namespace coapt {
 
 std::string doubt_about(const ClosureResult& closure) {
-  if (trusted(closure)) return "";
+  return doubt_about(closure.status, closure.crossing);
+}
+
+std::string doubt_about(ClosureStatus status, bool crossing) {
+  if (status == ClosureStatus::Converged && !crossing) return "";
   const char* rest = "";
-  switch (closure.status) {
+  switch (status) {
     case ClosureStatus::Converged:
       break;
     case ClosureStatus::StepLimit:
@@ -14,8 +18,8 @@ std::string doubt_about(const ClosureResult& closure) {
     case ClosureStatus::Diverged:
       return "UNRELIABLE: the closure diverged";
   }
-  const char* crossing = closure.crossing ? "leaflets cross" : "";
-  return std::string("UNRELIABLE: ") + rest + (*rest && *crossing ? ", " : "") + crossing;
+  return std::string("UNRELIABLE: ") + rest + (*rest && crossing ? ", " : "") +
+         (crossing ? "leaflets cross" : "");
 }
 
 std::string closure_name(const ClosureResult& closure) {

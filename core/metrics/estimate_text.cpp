@@ -62,16 +62,19 @@ std::string known_tenths(const Estimate& estimate, double units) {
   return known_tenths(units * estimate.value, units * half_width(estimate));
 }
 
+std::string interval_words(const Interval& interval) {
+  const double half = 0.5 * (interval.high - interval.low);
+  return known_digits(interval.low, half) + " to " + known_digits(interval.high, half);
+}
+
 EstimateWords words_of(const Estimate& estimate) {
   const std::optional<ErrorCause> cause = widest(estimate);
   if (!cause) return {fixed(estimate.value, 1), "", ""};
   const Interval wide = *part_of(estimate, *cause);
-  const double half = half_width(estimate);
   if (*cause == ErrorCause::Numerical && wide.low <= estimate.value && estimate.value <= wide.high)
     return {with_error(estimate.value, wide.high - estimate.value), "", "± numerical error"};
-  const std::string value = known_digits(estimate.value, half);
-  const std::string interval =
-      known_digits(wide.low, half) + " to " + known_digits(wide.high, half);
+  const std::string value = known_digits(estimate.value, half_width(estimate));
+  const std::string interval = interval_words(wide);
   if (*cause == ErrorCause::Tissue && tissue_excludes_value(estimate))
     return {interval, value, "with the tissue of its file"};
   return {value, interval, "with " + std::string(error_words(*cause)) + " (5 to 95 %)"};

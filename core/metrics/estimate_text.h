@@ -25,6 +25,9 @@ std::string known_tenths(double value, double error);
 /// The same of an estimate by its widest error, in so many of its units.
 std::string known_tenths(const Estimate& estimate, double units = 1.0);
 
+/// "0.1 to 3.5", "16 to 78": to the digits that half its width leaves.
+std::string interval_words(const Interval& interval);
+
 /// What is said of an estimate by the widest part of its error that is known: "46", "16 to 78" and "with tissue error
 /// (5 to 95 %)"; of the computation's error "45.7 ± 2.1", no interval and "± numerical error". Where the tissue's interval excludes the
 /// value, as draws weighed by observations may, it takes its place: "21 to 37", "58" and "with the tissue of its file".

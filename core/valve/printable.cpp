@@ -1,5 +1,6 @@
 #include "core/valve/printable.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace coapt {
@@ -51,6 +52,17 @@ std::string printable(std::string_view text) {
       clean += text.substr(i, length);
     }
     i += length == 0 ? 1 : length;
+  }
+  return clean;
+}
+
+std::string printable_lines(std::string_view text) {
+  std::string clean;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    clean += printable(text.substr(begin, end - begin));
+    if (end < text.size()) clean += '\n';
+    begin = end + 1;
   }
   return clean;
 }

@@ -10,4 +10,7 @@ namespace coapt {
 /// replaced. Nothing of it moves a terminal; Cairo draws nothing more after a broken sequence.
 std::string printable(std::string_view text);
 
+/// The same of each line; lines end where they did.
+std::string printable_lines(std::string_view text);
+
 }  // namespace coapt

@@ -79,7 +79,8 @@ int add(const AddArguments& arguments, const FarmKinds& kinds) {
     return status == exit_code::kOk ? hand_out(*database, asked, arguments, interrupted) : status;
   }
   if (arguments.json)
-    std::cout << Json{{"run", *id}, {"items", run.items}, {"work_id", work_id(*request)}} << '\n';
+    std::cout << json_text(Json{{"run", *id}, {"items", run.items}, {"work_id", work_id(*request)}})
+              << '\n';
   else
     std::cout << "run " << *id << ": " << run.items << " items\n";
   return exit_code::kOk;

@@ -44,7 +44,7 @@ int report_farm_errors(const Errors& errors, bool json) {
   for (const Error& error : errors) {
     if (error.code == ErrorCode::BadReference) status = exit_code::kBadInput;
     if (json)
-      std::cerr << Json{{"error", to_json(Errors{error})[0]}}.dump() + '\n';
+      std::cerr << json_text(Json{{"error", to_json(Errors{error})[0]}}) + '\n';
     else
       say((error.path.empty() ? "" : error.path + ": ") + error.message);
   }

@@ -19,7 +19,7 @@ struct StatusArguments {
 
 void print(const Json& status, const StatusArguments& arguments) {
   if (arguments.json)
-    std::cout << status.dump(2) << '\n';
+    std::cout << json_text(status, 2) << '\n';
   else if (arguments.prometheus)
     print_prometheus(std::cout, status);
   else

@@ -68,15 +68,10 @@ void print_worker(std::ostream& out, const Json& worker) {
       << words_in(worker["revision"]) << '\n';
 }
 
-/// A label's value: quotes, backslashes and ends of lines escaped.
+/// A label's value: printable, quotes and backslashes escaped.
 std::string quoted(const Json& value) {
   std::string text = "\"";
-  const std::string raw = value.is_string() ? value.get<std::string>() : value.dump();
-  for (const char letter : raw) {
-    if (letter == '\n') {
-      text += "\\n";
-      continue;
-    }
+  for (const char letter : value.is_string() ? words_in(value) : value.dump()) {
     if (letter == '"' || letter == '\\') text += '\\';
     text += letter;
   }
@@ -161,7 +156,7 @@ void print_prometheus(std::ostream& out, const Json& status) {
                 "Expired leases (lost), failures, conflicting results, barred workers.");
   if (status["faults_total"].is_object())
     for (const auto& [what, count] : status["faults_total"].items())
-      out << "coapt_farm_faults_total{what=\"" << what << "\"} " << count << '\n';
+      out << "coapt_farm_faults_total{what=" << quoted(what) << "} " << count << '\n';
   describe_farm(out, "coapt_farm_database_bytes", "gauge", "Size of the database.");
   out << "coapt_farm_database_bytes " << status["database_bytes"] << '\n';
 }

@@ -148,7 +148,7 @@ int wait_for_run(FarmDatabase& database, const AskedRun& asked, const Waiting& w
     const bool ended = progress["state"] != "open";
     if (waiting.json_progress &&
         (ended || !last_line || PatientClock::now() - *last_line > kLine)) {
-      std::cerr << line_of(progress).dump() + '\n';
+      std::cerr << json_text(line_of(progress)) + '\n';
       last_line = PatientClock::now();
     }
     if (!waiting.json_progress && !waiting.quiet)

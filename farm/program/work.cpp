@@ -44,12 +44,11 @@ const char* word_of(WorkerEnd end) {
 
 void print_report(const WorkArguments& arguments, const WorkerReport& report) {
   if (arguments.json) {
-    std::cout << Json{{"schema", "coapt.farm-worker/1"}, {"worker", arguments.worker.name.name},
-                      {"end", word_of(report.end)},      {"tasks", report.tasks},
-                      {"items", report.items},           {"computing_s", report.computing_s},
-                      {"seconds", report.seconds}}
-                     .dump(2)
-              << '\n';
+    const Json told = {{"schema", "coapt.farm-worker/1"}, {"worker", arguments.worker.name.name},
+                       {"end", word_of(report.end)},      {"tasks", report.tasks},
+                       {"items", report.items},           {"computing_s", report.computing_s},
+                       {"seconds", report.seconds}};
+    std::cout << json_text(told, 2) << '\n';
   } else if (!arguments.quiet) {
     say(arguments.worker.name.name + ": " + grouped(report.items) + " items in " +
         counted(static_cast<long>(report.tasks), "task") + ", " + fixed(report.computing_s, 1) +

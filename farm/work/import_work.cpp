@@ -91,7 +91,7 @@ ImportOutcome tried(const ImportRequest& asked, const ImportWork& work, int thre
 std::string pack_outcomes(const std::vector<ImportOutcome>& outcomes) {
   std::string bytes;
   for (const ImportOutcome& one : outcomes) {
-    pack_text(bytes, one.row.dump(-1, ' ', false, Json::error_handler_t::replace));
+    pack_text(bytes, json_text(one.row));
     pack_text(bytes, one.valve);
   }
   return bytes;
@@ -167,7 +167,7 @@ WorkRequest imports_request(const std::vector<ImportCase>& cases, const ImportTr
     json["imports"].push_back(
         {{"name", one.name}, {"slicerheart", one.slicerheart}, {"files", std::move(files)}});
   }
-  request.parts.front() = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  request.parts.front() = json_text(json);
   return request;
 }
 

@@ -54,9 +54,9 @@ void suggest(const CLI::App& program) {
 
 /// As CLI11's own, which quotes what was given as it is.
 int exit_with(const CLI::App& program, const CLI::Error& error) {
-  std::stringstream lines;
+  std::ostringstream lines;
   const int code = program.exit(error, std::cout, lines);
-  for (std::string line; std::getline(lines, line);) std::cerr << printable(line) << '\n';
+  std::cerr << printable_lines(lines.str());
   return code;
 }
 
@@ -215,7 +215,8 @@ CommandLine::CommandLine(const std::string& program, const std::string& what)
     : app_(std::make_unique<CLI::App>(what, program)) {
   app_->set_version_flag("--version", [program, app = app_.get()] {
     const CLI::Option* json = app->get_option_no_throw("--json");
-    return json != nullptr && json->count() > 0 ? build_json(program).dump(2) : about(program);
+    return json != nullptr && json->count() > 0 ? json_text(build_json(program), 2)
+                                                : about(program);
   });
 }
 

@@ -1,5 +1,7 @@
 #include "io/command_line/files.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -73,7 +75,10 @@ int check_output(const std::string& path) {
 
 int write_output(const std::string& path, std::string_view bytes) {
   if (path == "-") {
-    std::cout << bytes;
+    if (isatty(STDOUT_FILENO) == 1)
+      std::cout << printable_lines(bytes);
+    else
+      std::cout << bytes;
     return exit_code::kOk;
   }
   std::ofstream file(path, std::ios::binary);

@@ -22,8 +22,8 @@ std::string refuse_standard_output(const std::string& path);
 /// Nothing is left behind. Returns an exit code and says on standard error why not.
 int check_output(const std::string& path);
 
-/// Writes to a file, or to standard output if `path` is "-" (which main() tests at the end). Returns
-/// an exit code and says on standard error why it failed.
+/// Writes to a file, or to standard output if `path` is "-" (which main() tests at the end); on a terminal printable_lines() of it.
+/// Returns an exit code and says on standard error why it failed.
 int write_output(const std::string& path, std::string_view bytes);
 
 /// With those above it, if it is not there. Errors: InputOutput.

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/json/version.h"
 
@@ -53,7 +54,7 @@ int run_program(const Program& program, int argc, char** argv) {
   try {
     return after_output(program, run(program, argc, argv));
   } catch (const std::exception& error) {
-    std::cerr << program.name << ": " << error.what() << '\n';
+    std::cerr << program.name << ": " << printable(error.what()) << '\n';
     return exit_code::kFailure;
   }
 }

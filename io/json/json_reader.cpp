@@ -18,7 +18,7 @@ std::string described(const Json& value) {
   if (value.is_string() && value.get_ref<const std::string&>().size() > kMaxShown) {
     return "a long string";
   }
-  return value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return json_text(value);
 }
 
 void wrong_type(const JsonPlace& place, const char* expected) {

@@ -43,6 +43,16 @@ std::optional<Cells> cells_of(std::string_view line) {
   return cells;
 }
 
+/// Bytes of the first row, which may have ends of lines between quotes.
+std::size_t row_size(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == '\n' && !quoted) return i;
+  }
+  return text.size();
+}
+
 /// Text from a file is shown cut short.
 std::string shown_text(std::string_view text) {
   constexpr std::size_t kMost = 40;
@@ -55,7 +65,9 @@ bool is_utf8(const std::string& text) {
   return Json::parse(quoted, nullptr, false) == text;
 }
 
-bool is_control(unsigned char byte) { return byte < ' ' || byte == 127; }
+bool is_refused(unsigned char byte) {
+  return (byte < ' ' && byte != '\t' && byte != '\n' && byte != '\r') || byte == 127;
+}
 
 /// A row, and where its problems go.
 struct RowPlace {
@@ -94,13 +106,14 @@ std::uint64_t whole_at(const RowPlace& row, std::string_view column, std::uint64
 }
 
 std::string text_at(const RowPlace& row, std::string_view column, std::size_t longest) {
-  const std::string& text = row.cell(column);
+  std::string text = row.cell(column);
+  if (text.find_first_of("=+-@\t\r", 1) == 1 && text[0] == '\'') text.erase(0, 1);
   if (text.size() > longest)
     row.refuse(column, "is longer than " + std::to_string(longest) + " bytes");
   else if (!is_utf8(text))
     row.refuse(column, "must be UTF-8");
-  else if (std::ranges::any_of(text, is_control))
-    row.refuse(column, "must have no control characters");
+  else if (std::ranges::any_of(text, is_refused))
+    row.refuse(column, "must have no control characters but tabs and ends of lines");
   return text;
 }
 
@@ -192,10 +205,11 @@ Expected<std::vector<TrainingTrial>> read_trials_csv(std::string_view text) {
   std::optional<Cells> header;
   std::map<std::string_view, std::size_t> columns;
   std::map<int, int> last_trial;  // of a learner
-  for (std::size_t line = 1; !text.empty() && !problems.crowded(); ++line) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+  for (std::size_t line = 1, next = 1; !text.empty() && !problems.crowded(); line = next) {
+    const std::size_t end = row_size(text);
     std::string_view content = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
+    next += 1 + static_cast<std::size_t>(std::count(content.begin(), content.end(), '\n'));
     if (content.ends_with('\r')) content.remove_suffix(1);
     if (content.empty()) continue;
     std::optional<Cells> cells = cells_of(content);

@@ -1,7 +1,7 @@
 // The table of trials: one row a trial, no names. Columns, in any order, all of them:
 //
 //   learner     1 to 1,000,000, a number that stands for a person
-//   block       of the schedule, at most 64 bytes of UTF-8 without control characters
+//   block       of the schedule, at most 64 bytes of UTF-8 without control characters but tabs and ends of lines
 //   trial       1 to 100,000, ascending for each learner
 //   valve       name of the valve that the case was made of, at most 200 such bytes
 //   exam        A or B
@@ -24,8 +24,8 @@
 
 namespace coapt {
 
-/// Every problem is listed; "/3/confidence" is line 3 of the text. Quoted cells as RFC 4180 has them, but no line breaks in them. At most
-/// 100,000 rows.
+/// Every problem is listed; "/3/confidence" is line 3 of the text. Quoted cells as RFC 4180 has them; the apostrophe before text
+/// that a spreadsheet would compute (io/picture/csv_lines.h) is taken off. At most 100,000 rows.
 Expected<std::vector<TrainingTrial>> read_trials_csv(std::string_view text);
 
 }  // namespace coapt

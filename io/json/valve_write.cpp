@@ -106,17 +106,12 @@ Json list(const std::vector<T>& values, ToJson to_json_of) {
   return json;
 }
 
-// Bytes that are not UTF-8 are replaced; numbers are the shortest that give the same bits.
-std::string one_line(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string line_per_entry(const Json& json) {
   if (json.empty()) return "[]";
   std::string text = "[";
   const char* separator = "\n    ";
   for (const Json& entry : json) {
-    text += separator + one_line(entry);
+    text += separator + json_text(entry);
     separator = ",\n    ";
   }
   return text + "\n  ]";
@@ -204,7 +199,7 @@ std::string write_valve(const Valve& valve) {
   const char* separator = "\n  ";
   for (const auto& [name, value] : json.items()) {
     const bool tall = value.is_array() && name != "segments" && name != "face_leaflets";
-    text += separator + one_line(name) + ": " + (tall ? line_per_entry(value) : one_line(value));
+    text += separator + json_text(name) + ": " + (tall ? line_per_entry(value) : json_text(value));
     separator = ",\n  ";
   }
   return text + "\n}\n";

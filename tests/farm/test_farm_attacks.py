@@ -1,6 +1,7 @@
 """What a login of the farm may try to make others believe, hold or see: nothing of it succeeds."""
 
 import hashlib
+import json
 import unittest
 
 from farm_runs import FAILURE, FarmTest, Request
@@ -144,7 +145,10 @@ class Attacks(FarmTest):
         for _ in range(3):
             for first in self.claim(worker):
                 self.call(f"fail({worker}, 1, {first}, {bad})")
-        shown = [self.farm("status"), self.farm("work", "--until-dry")]
+        told, metrics = self.farm("status", "--json"), self.farm("status", "--prometheus")
+        self.assertEqual(json.loads(told.stdout)["runs"][0]["label"], "\x1b[2J\x07\u009b31m")
+        self.assertIn('name=" [2J  31m"', metrics.stdout.decode())
+        shown = [told, metrics, self.farm("status"), self.farm("work", "--until-dry")]
         shown += [self.farm("fetch", 1, "--tasks")]
         for run in shown:
             for text in (run.stdout, run.stderr.encode()):

@@ -4,9 +4,11 @@ import socket
 import threading
 import unittest
 import unittest.mock
+from dataclasses import replace
 
 import coapt
 from client_runs import ENDLESS, SMALL, TOKEN, VALVE, ClientTest
+from coapt.jobs import Job
 from programs import ProgramTest
 from relay import Relay
 
@@ -226,6 +228,9 @@ class Addresses(unittest.TestCase):
                 coapt.Client(url)
 
 
+MOVES = "[\\x00-\\x09\\x0b-\\x1f\\x7f-\\x9f\u202e]"
+
+
 class Hostile(unittest.TestCase):
     """A service that is not one's own."""
 
@@ -259,7 +264,32 @@ class Hostile(unittest.TestCase):
         with self.assertRaises(coapt.InvalidRequest) as raised:
             client.presets()
         self.assertIn("pwned", str(raised.exception))
-        self.assertNotRegex(str(raised.exception), "[\\x00-\\x09\\x0b-\\x1f\\x7f-\\x9f\u202e]")
+        self.assertNotRegex(str(raised.exception), MOVES)
+
+    def test_nor_does_what_is_not_http(self):
+        client = self.served(b"\x1b[2J\x07\x9b31m\r\n\r\n")
+        with self.assertRaises(coapt.Unreachable) as raised:
+            client.presets()
+        self.assertNotRegex(str(raised.exception), MOVES)
+
+    def job(self, client):
+        return Job(client._transport, {"id": "0123", "kind": "\x1b[2J", "state": "RUNNING"}, lambda *_: None)
+
+    def test_nor_do_jobs_and_their_progress(self):
+        progress = coapt.Progress("\x1b[2J", 1, 2, None, None, 3.0)
+        for shown in (self.job(coapt.Client("http://127.0.0.1:1")), progress, replace(progress, rms_mm=1.0)):
+            self.assertNotRegex(f"{shown} {shown!r}", MOVES)
+
+    def test_an_event_has_a_limit_be_it_one_line_or_many(self):
+        head = b"HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\n\r\n"
+        event = b'id: 1\nevent: state\ndata: {"state": "RUNNING"}\n\n'
+        for endless in (b"data: " + b"x" * 2000, b"data: x\n" * 300):
+            with self.subTest(endless=endless[:10]):
+                events = self.job(self.served(head + 30 * event + endless)).events()
+                with unittest.mock.patch("coapt.http_transport._MOST_EVENT_BYTES", 1000):
+                    self.assertEqual([next(events).state for _ in range(30)], 30 * ["RUNNING"])
+                    with self.assertRaisesRegex(coapt.Unreachable, "sent an event of more than"):
+                        next(events)
 
 
 if __name__ == "__main__":

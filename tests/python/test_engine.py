@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import unittest
 import coapt
 from client_runs import ENDLESS, SMALL, VALVE, EngineTest, has_engine
 from coapt import OwnRing, Plan
-from programs import OK, coapt as coapt_command
+from programs import OK, coapt as coapt_command, small_valve
 
 ENGINE = has_engine()
 if ENGINE:
@@ -144,6 +145,22 @@ class Arrays(EngineTest):
         self.refused(coapt.BadDocument, closure.leaflets().save, "x.nothing")
         self.refused(coapt.BadDocument, coapt.Mesh.read, self.folder / "closed.json")
         self.refused(coapt.NoSuchFile, coapt.Mesh.read, self.folder / "none.ply")
+
+    def test_a_mesh_of_a_closure_that_is_not_to_be_trusted_says_so(self):
+        document = json.loads(small_valve().read_text())
+        document["tissue"]["thickness_mm"] = 0.1  # its leaflets pass through each other
+        valve = coapt.read_valve(self.write("thin.json", document))
+        closure = valve.close()
+        self.assertFalse(closure.trusted)
+        doubt = b"UNRELIABLE: leaflets cross"
+        exported = coapt.Mesh.from_ply(self.client.export(valve, "ply"))
+        for mesh in (closure.leaflets(), pickle.loads(pickle.dumps(closure)).leaflets(), exported):
+            for ending in ("ply", "obj", "stl", "vtk"):
+                file = self.folder / f"mesh.{ending}"
+                mesh.save(file)
+                self.assertIn(doubt, file.read_bytes()[:200], ending)
+        self.valve.close().leaflets().save(file)
+        self.assertNotIn(b"UNRELIABLE", file.read_bytes())
 
     def test_fields_are_those_of_the_figures_and_of_the_scene(self):
         closure = self.valve.close()

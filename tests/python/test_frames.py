@@ -8,8 +8,11 @@ from unittest import mock
 
 import coapt
 from client_runs import SMALL, ClientTest
-from coapt import LeafletPoint, Neochorda, OwnRing, PapillaryApproximation, Plan, Ring
+from coapt import LeafletPoint, Neochorda, OwnRing, PapillaryApproximation, Plan, Ring, frames
 from programs import SOURCE, small_valve
+
+if importlib.util.find_spec("pandas"):
+    import pandas
 
 RING = SOURCE / "examples/plans/ring.json"
 UNITS = ("_mm", "_mm2", "_n", "_deg")
@@ -139,6 +142,20 @@ class Frames(ClientTest):
         self.assertEqual(frame.leak_error_mm2[0], self.client.close(small_valve(), RING).measure.leak.error_mm2)
         known = frame[frame.trusted].drop(columns=[one for one in frame if one.startswith("annuloplasty_")])
         self.assertEqual(list(known.columns[known.isna().any()]), [])
+
+
+@unittest.skipUnless(importlib.util.find_spec("pandas"), "pandas is not installed")
+class Strangers(unittest.TestCase):
+    def test_no_table_moves_the_terminal(self):
+        bad = "\x1b[2J\x07\x9b31m\u202e"
+        table = coapt.Table(f"name{bad},leak_mm2\r\na{bad},1.5\r\n").to_frame()
+        self.assertEqual(table.leak_mm2.tolist(), [1.5])
+        steps = frames.step_columns({"steps": [{"step": "annuloplasty", f"shape{bad}": f"own{bad}", "size_mm": 30}]})
+        self.assertEqual(steps["annuloplasty_size_mm"], 30)
+        finding = coapt.Remodelling((0, 1), {bad: (0.4, None)}).to_frame()
+        named = frames.table([coapt.Progress(bad, 1, 2, None, None, 3.0)], {"stage": "stage"})
+        for shown in (table, finding, named, pandas.DataFrame([steps])):
+            self.assertNotRegex(shown.to_string(), "[\x00-\x09\x0b-\x1f\x7f-\x9f\u202e]")
 
 
 class WithoutPandas(unittest.TestCase):

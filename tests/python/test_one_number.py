@@ -138,6 +138,13 @@ class OneNumber:
             self.assertIsNotNone(found, words)
             self.assertEqual((found[1], found[2]), (f"{low:.0f}", f"{high:.0f}"))
 
+    def test_tissue_of_the_valve_as_it_is(self):
+        """The same draws, closed from other starts: one of a flail valve ends 5 % elsewhere."""
+        draws = str(SIZE["model_draws"])
+        alone = json.loads(self.answer("close", self.valve, "--draws", draws, "--json"))["leak"]["tissue"]
+        for here, there in zip(self.scored["before"]["leak"]["tissue"], alone):
+            self.assertAlmostEqual(here, there, delta=1.0 + 0.1 * there)
+
     def test_opening_and_gradient(self):
         plan, python = self.ranked(), self.python.plans[0]
         opened = json.loads(self.answer("open", self.valve, "--plan", self.plan, "--json"))

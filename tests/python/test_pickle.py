@@ -179,12 +179,14 @@ class Objects(EngineTest):
 
     def test_threads_are_checked_alike_everywhere(self):
         valve = self.client.preset(VALVE)
+        space = valve.space()
         calls = (
             lambda threads: coapt.Engine(threads=threads).end(),
             lambda threads: self.client.close_many(VALVE, threads=threads),
             lambda threads: coapt.close_many(VALVE, threads=threads),
             lambda threads: self.client.map(VALVE, threads=threads),
             lambda threads: valve.search(**SMALL, threads=threads).cancel(),
+            lambda threads: space.evaluate_many([space.start], threads=threads),
         )
         for call in calls:
             for threads in (-1, 1025, 1.5, True, "2"):

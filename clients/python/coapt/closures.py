@@ -6,7 +6,6 @@ apart. Areas are anatomic, from geometry: not an effective regurgitant orifice a
 
 from __future__ import annotations
 
-import html
 import json
 import os
 import pathlib
@@ -348,7 +347,7 @@ class Closure(tables.Short):
         warned = "" if self.trusted else "<p><b>These results are unreliable.</b></p>"
         bars = tables.coaptation_svg(self.measure.json["coaptation"]["sections"])
         return (
-            f"<h4>{html.escape(self.valve)}: {tables.state(self.status, self.crossing)}</h4>{warned}"
+            f"<h4>{tables.escaped(f'{self.valve}: {tables.state(self.status, self.crossing)}')}</h4>{warned}"
             f"{tables.table((), _figures(self.measure))}"
             f"<p>Coaptation height at nine sections, mm (blue); leaflets apart, mm (red)</p>{bars}"
             f"<p>{tables.listed(self.warnings, '! ')}</p>{tables.NOTICE_HTML}"

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+from .tables import printable
 
 
 @dataclass(frozen=True)
@@ -30,15 +31,10 @@ class Problem:
 
     @classmethod
     def from_json(cls, json: Mapping[str, Any]) -> Problem:
-        return cls(json.get("code", ""), _shown(json.get("path", "")), _shown(json.get("message", "")))
+        return cls(json.get("code", ""), printable(json.get("path", "")), printable(json.get("message", "")))
 
     def __str__(self) -> str:
         return f"{self.path}: {self.message}" if self.path else self.message
-
-
-def _shown(text: Any) -> str:
-    """Of a service, which need not be one's own: without what moves a terminal or turns the direction of what follows."""
-    return re.sub("[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]", " ", str(text))
 
 
 class CoaptError(Exception):
@@ -53,7 +49,7 @@ class CoaptError(Exception):
 
     def __init__(self, message: str, problems: Sequence[Problem] = ()) -> None:
         self.problems: tuple[Problem, ...] = tuple(problems)
-        super().__init__("\n  ".join([message, *map(str, self.problems)]))
+        super().__init__("\n  ".join(map(printable, [message, *self.problems])))
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self.__reduce__() == other.__reduce__()
@@ -236,4 +232,4 @@ def refusal(status: int, body: bytes, retry_after: str | None) -> Refused:
     kind = _KINDS.get(status) or (ServiceFailed if status >= 500 else InvalidRequest)
     problems = [Problem.from_json(one) for one in said.get("problems", [])]
     seconds = float(retry_after) if retry_after is not None and retry_after.isdigit() else None
-    return kind(status, _shown(said.get("title") or "the service refuses"), problems, seconds)
+    return kind(status, printable(said.get("title") or "the service refuses"), problems, seconds)

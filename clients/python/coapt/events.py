@@ -79,10 +79,11 @@ class Progress(tables.Short):
         )
 
     def __str__(self) -> str:
+        stage = tables.printable(self.stage)
         best = "" if self.best_leak_mm2 is None else f", lowest planned leak {self.best_leak_mm2:.1f} mm2"
         if self.rms_mm is not None:
-            return f"{tables.counted(self.closures, 'closure')}, {self.stage}, {self.rms_mm:.2f} mm rms"
-        return f"{self.closures} of {self.closures_planned} closures, {self.stage}{best}"
+            return f"{tables.counted(self.closures, 'closure')}, {stage}, {self.rms_mm:.2f} mm rms"
+        return f"{self.closures} of {self.closures_planned} closures, {stage}{best}"
 
 
 @dataclass(frozen=True, repr=False)

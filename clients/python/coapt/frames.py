@@ -1,5 +1,5 @@
-"""Tables of pandas, which is imported when the first is asked for. What is not known is NaN. Columns that a search's
-evaluations.csv has, too, have its names; its leak_mm2 is estimated."""
+"""Tables of pandas, which is imported when the first is asked for. What is not known is NaN, and text is printable. Columns that a
+search's evaluations.csv has, too, have its names; its leak_mm2 is estimated."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .errors import MissingPackage
 from .repair import Plan
+from .tables import printable
 
 if TYPE_CHECKING:
     import pandas
@@ -49,8 +50,12 @@ def _cell(thing: object, place: str) -> Any:
     if isinstance(thing, Plan):
         return json.dumps(thing.to_json())
     if isinstance(thing, tuple):
-        return "; ".join(thing)
-    return float("nan") if thing is None else thing
+        thing = "; ".join(thing)
+    return float("nan") if thing is None else _shown(thing)
+
+
+def _shown(value: Any) -> Any:
+    return printable(value) if isinstance(value, str) else value
 
 
 def table(things: Iterable[object], columns: Mapping[str, str]) -> pandas.DataFrame:
@@ -83,7 +88,7 @@ def step_columns(plan: Mapping[str, Any] | None) -> dict[str, Any]:
         for key, value in {**told, **told.get("insertion", {})}.items():
             if not isinstance(value, Mapping):
                 columns[f"{prefix}_{key}"] = value
-    return columns
+    return {printable(name): _shown(value) for name, value in columns.items()}
 
 
 def records(kind: Any, things: Iterable[object]) -> pandas.DataFrame:
@@ -93,10 +98,12 @@ def records(kind: Any, things: Iterable[object]) -> pandas.DataFrame:
 
 def leaks(rows: Sequence[tuple[Any, ...]], columns: Sequence[str]) -> pandas.DataFrame:
     """leak_mm2, one of the columns, may be unknown."""
-    frame: pandas.DataFrame = _pandas().DataFrame(rows, columns=list(columns)).astype({"leak_mm2": float})
+    shown = [tuple(map(_shown, row)) for row in rows]
+    frame: pandas.DataFrame = _pandas().DataFrame(shown, columns=list(columns)).astype({"leak_mm2": float})
     return frame
 
 
 def csv(text: str) -> pandas.DataFrame:
-    frame: pandas.DataFrame = _pandas().read_csv(io.StringIO(text))
+    lines = text.replace("\r\n", "\n").split("\n")
+    frame: pandas.DataFrame = _pandas().read_csv(io.StringIO("\n".join(map(printable, lines))))
     return frame

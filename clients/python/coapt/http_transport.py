@@ -15,12 +15,30 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from .errors import Busy, CoaptError, Unreachable, refusal
-from .transport import LOST, Answer, CopiedAsItself, encoded
+from .transport import LOST, Answer, CopiedAsItself, Stream, encoded
 
 _MOST_BYTES = 256 << 20  # of an answer
+_MOST_EVENT_BYTES = 16 << 20
 _FIRST_PAUSE_S = 0.25  # before the second try; doubled with each
 _LONGEST_PAUSE_S = 30.0
 _THIS_MACHINE = ("localhost", "127.0.0.1", "::1")
+
+
+class _Lines:
+    """Of a stream of events, each of which has a limit."""
+
+    def __init__(self, url: str, response: http.client.HTTPResponse) -> None:
+        self.status, self._url, self._response = response.status, url, response
+
+    def __iter__(self) -> Iterator[bytes]:
+        size = 0  # of the event so far
+        while line := self._response.readline(_MOST_EVENT_BYTES + 1 - size):
+            size = 0 if line in (b"\n", b"\r\n") else size + len(line)
+            if size > _MOST_EVENT_BYTES:
+                raise Unreachable(
+                    f"{self._url} sent an event of more than {_MOST_EVENT_BYTES >> 20} MiB, the limit for one"
+                )
+            yield line
 
 
 @dataclass(frozen=True)
@@ -100,9 +118,9 @@ class HttpTransport(CopiedAsItself):
         raise AssertionError("the last try returns or raises")
 
     @contextmanager
-    def follow(self, path: str, headers: Mapping[str, str], timeout_s: float) -> Iterator[http.client.HTTPResponse]:
+    def follow(self, path: str, headers: Mapping[str, str], timeout_s: float) -> Iterator[Stream]:
         with self.open("GET", path, headers=headers, timeout_s=timeout_s) as response:
-            yield response
+            yield _Lines(self.url, response)
 
     def pause(self, seconds: float) -> None:
         self.sleep(seconds)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -285,9 +284,7 @@ class Job(Generic[Result]):
         return Table(self._transport.request("GET", f"{self.path}/evaluations.csv").body.decode())
 
     def __repr__(self) -> str:
-        return f"Job({self.id}, {self.kind}, {self.state})"
+        return tables.printable(f"Job({self.id}, {self.kind}, {self.state})")
 
     def _repr_html_(self) -> str:
-        return (
-            f"<p>{html.escape(repr(self))}: {html.escape(str(self.progress))}</p><p><small>{tables.NOTICE}</small></p>"
-        )
+        return f"<p>{tables.escaped(f'{self!r}: {self.progress}')}</p><p><small>{tables.NOTICE}</small></p>"

@@ -63,11 +63,11 @@ class LocalLeaflets:
             return self.native.file(path, open)
 
     def __call__(self) -> Mesh:
-        return Mesh(self.native.closed_mm, self.native.faces, self.fields)
+        return Mesh(self.native.closed_mm, self.native.faces, self.fields, self.native.doubt)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Its numbers: elsewhere there is no engine that has them.
-        return KeptLeaflets, (self.native.closed_mm, self.native.faces, self._told)
+        return KeptLeaflets, (self.native.closed_mm, self.native.faces, self._told, self.native.doubt)
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,13 +77,14 @@ class KeptLeaflets:
     closed_mm: NDArray[numpy.float64]
     faces: NDArray[numpy.int32]
     told: Fields | None
+    doubt: str = ""
 
     def fields(self) -> Fields:
         """:raises CoaptError: the closure diverged"""
         return known(self.told)
 
     def __call__(self) -> Mesh:
-        return Mesh(self.closed_mm, self.faces, self.fields)
+        return Mesh(self.closed_mm, self.faces, self.fields, self.doubt)
 
 
 class Asks(Protocol):

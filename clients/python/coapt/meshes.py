@@ -63,6 +63,9 @@ def same_arrays(a: Any, b: Any, *names: str) -> bool:
     return all(numpy.array_equal(getattr(a, name), getattr(b, name)) for name in names)
 
 
+_DOUBT = "comment UNRELIABLE"  # in the PLY of a closure that is not to be trusted
+
+
 @dataclass(frozen=True, eq=False)
 class Mesh:
     """Triangles: arrays of numpy where it is installed, lists of lists elsewhere.
@@ -76,6 +79,8 @@ class Mesh:
     faces: Any
     """F x 3, numbers of vertices from 0; int32 of the engine in this process, else int64."""
     _fields: Callable[[], Fields] | None = field(default=None, repr=False)
+    _doubt: str = field(default="", repr=False)
+    """What files say of a closure that is not to be trusted."""
 
     @property
     def point_data(self) -> dict[str, Any]:
@@ -121,7 +126,8 @@ class Mesh:
             return cls(*engine_module().read_mesh(content, file.suffix.removeprefix(".").lower()))
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """To a file, by its ending: OBJ, PLY, STL or VTK, without data; others with them by to_meshio().write().
+        """To a file, by its ending: OBJ, PLY, STL or VTK, without data; others with them by to_meshio().write(). Of a closure that is not
+        to be trusted it says so in its first lines.
 
         >>> mesh = coapt.preset("human-normal").close().leaflets()
         >>> mesh.save("closed.ply")
@@ -132,7 +138,8 @@ class Mesh:
         """
         file = pathlib.Path(path)
         with reading(f"{path} cannot be written"):
-            content = engine_module().write_mesh(self.vertices_mm, self.faces, file.suffix.removeprefix(".").lower())
+            ending = file.suffix.removeprefix(".").lower()
+            content = engine_module().write_mesh(self.vertices_mm, self.faces, ending, self._doubt)
         file.write_bytes(content)
 
     @classmethod
@@ -144,6 +151,7 @@ class Mesh:
         """
         head, end, body = content.decode("ascii").partition("end_header\n")
         counts = {words[1]: int(words[2]) for words in map(str.split, head.splitlines()) if words[:1] == ["element"]}
+        doubt = "".join(line.removeprefix("comment ") for line in head.splitlines() if line.startswith(_DOUBT))
         if not end or "format ascii 1.0" not in head or list(counts) != ["vertex", "face"]:
             raise ValueError("no ASCII PLY of vertices and faces")
         lines = body.splitlines()
@@ -152,8 +160,8 @@ class Mesh:
         if len(faces) < counts["face"] or any(len(row) != 3 for row in vertices + faces):
             raise ValueError("a PLY that breaks off, or not of triangles")
         if numpy is None:
-            return cls(vertices, faces)
-        return cls(numpy.array(vertices, dtype=numpy.float64), numpy.array(faces, dtype=numpy.int64), fields)
+            return cls(vertices, faces, _doubt=doubt)
+        return cls(numpy.array(vertices, dtype=numpy.float64), numpy.array(faces, dtype=numpy.int64), fields, doubt)
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh of triangles with point_data and cell_data: to_meshio().write("closed.vtu").

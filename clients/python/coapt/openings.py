@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -90,7 +89,7 @@ class Opening(tables.Short):
             ("at exercise", f"{number(self.gradient_exercise_mmhg)} mmHg at {number(self.flow_exercise_ml_s, 0)} ml/s"),
         ]
         return (
-            f"<h4>{html.escape(self.name)}, open: {tables.state(self.status, self.crossing)}</h4>{warned}"
+            f"<h4>{tables.escaped(f'{self.name}, open: {tables.state(self.status, self.crossing)}')}</h4>{warned}"
             f"{tables.table((), rows)}<p>{tables.listed(self.warnings, '! ')}</p>{tables.NOTICE_HTML}"
         )
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -208,18 +207,18 @@ class StudyResult(tables.Short):
         rows = [
             (
                 "agrees" if finding.agrees else "<b>differs</b>",
-                html.escape(finding.finding),
-                html.escape(finding.thesis),
-                html.escape(finding.ours),
+                tables.escaped(finding.finding),
+                tables.escaped(finding.thesis),
+                tables.escaped(finding.ours),
             )
             for finding in self.findings
         ]
-        return tables.table(("", "finding", "thesis", html.escape(self.valve)), rows) + tables.NOTICE_HTML
+        return tables.table(("", "finding", "thesis", tables.escaped(self.valve)), rows) + tables.NOTICE_HTML
 
 
 def _plans_html(before: Before, plans: Sequence[RankedPlan]) -> str:
     state = (
         f"<p>Before: leak {tables.number(before.measure.leak_mm2)} mm², "
-        f"{tables.state(before.status, before.crossing)}</p>"
+        f"{tables.escaped(tables.state(before.status, before.crossing))}</p>"
     )
     return state + plans_table(plans) + tables.NOTICE_HTML

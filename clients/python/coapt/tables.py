@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import html
 import math
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -13,6 +14,16 @@ NOTICE_HTML = f'<p style="font-size:smaller;opacity:.75">{NOTICE}</p>'
 _BAR_WIDTH, _BAR_HEIGHT = 36, 90  # of the drawing of coaptation, px
 _LONG = 80  # letters of one value
 _LEAST_RANGE_MM = 10.0  # that its height stands for
+
+
+def printable(text: object) -> str:
+    """What others wrote, in one line: without what moves a terminal, turns the direction of what follows, or is no character."""
+    return re.sub("[\x00-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]", " ", str(text))
+
+
+def escaped(text: object) -> str:
+    """The same in HTML."""
+    return html.escape(printable(text))
 
 
 class Short:
@@ -75,7 +86,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 def listed(lines: Iterable[str], mark: str = "") -> str:
     """Text, a line each."""
-    return "<br>".join(mark + html.escape(line) for line in lines)
+    return "<br>".join(mark + escaped(line) for line in lines)
 
 
 def coaptation_svg(sections: Sequence[Any]) -> str:

@@ -55,8 +55,6 @@ LocalClosure close_locally(const LocalValve& valve, std::string_view request) {
   return {*std::move(closed), std::get<Json>(std::move(answer))};
 }
 
-std::string document_of(const LocalClosure& closed) {
-  return closed.answer.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string document_of(const LocalClosure& closed) { return json_text(closed.answer); }
 
 }  // namespace coapt

@@ -23,6 +23,7 @@
 #include "clients/python/engine/problems.h"
 #include "clients/python/engine/shapes.h"
 #include "clients/python/engine/space.h"
+#include "core/closure/standing.h"
 #include "io/json/valve_json.h"
 #include "search/plans/plan_order.h"
 
@@ -218,6 +219,8 @@ void add_valves(py::module_& module) {
       .def("document", &document_of, Unlocked())
       .def("shape", &shape_document, Unlocked())
       .def("told", &told)
+      .def_property_readonly(
+          "doubt", [](const LocalClosure& self) { return doubt_about(self.closed.closure); })
       .def_property_readonly("closed_mm",
                              [](const py::object& self) {
                                return view(
@@ -239,12 +242,13 @@ void add_shapes(py::module_& module) {
       py::arg("bytes"), py::arg("format"));
   module.def(
       "write_mesh",
-      [](const py::object& vertices_mm, const py::object& faces, const std::string& format) {
+      [](const py::object& vertices_mm, const py::object& faces, const std::string& format,
+         const std::string& doubt) {
         return py::bytes(
             file_of(TriangleMesh{points_of(vertices_mm, "/vertices_mm"), faces_of(faces, "/faces")},
-                    format));
+                    format, doubt));
       },
-      py::arg("vertices_mm"), py::arg("faces"), py::arg("format"));
+      py::arg("vertices_mm"), py::arg("faces"), py::arg("format"), py::arg("doubt"));
   module.def("points_document", [](const py::object& points_mm) {
     const Points points = points_of(points_mm, "/points_mm");
     Json rows = Json::array();

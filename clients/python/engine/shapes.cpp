@@ -31,8 +31,8 @@ TriangleMesh mesh_of_file(std::string_view bytes, const std::string& format) {
   return taken(read_mesh(bytes, format, kMostUnpacked));
 }
 
-std::string file_of(const TriangleMesh& mesh, const std::string& format) {
-  return taken(write_mesh(mesh, format));
+std::string file_of(const TriangleMesh& mesh, const std::string& format, const std::string& doubt) {
+  return taken(write_mesh(mesh, format, doubt));
 }
 
 }  // namespace coapt

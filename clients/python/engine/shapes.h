@@ -17,6 +17,6 @@ std::string file_of(const LocalClosure& closed, const std::string& path, bool op
 
 /// A mesh's file. Throws Problems.
 TriangleMesh mesh_of_file(std::string_view bytes, const std::string& format);
-std::string file_of(const TriangleMesh& mesh, const std::string& format);
+std::string file_of(const TriangleMesh& mesh, const std::string& format, const std::string& doubt);
 
 }  // namespace coapt

@@ -76,6 +76,7 @@ TEST(PlansJson, APlanHasTheKeysThatScriptsRelyOn) {
                                              "leak",
                                              "estimates",
                                              "leak_mm2",
+                                             "ranked_cost",
                                              "cost",
                                              "cost_terms",
                                              "status",
@@ -151,6 +152,16 @@ TEST(PlansJson, APlanStatesWhatIsKnownOfTheFiguresOfRules) {
             R"({"value":1.5,"numerical":[1.25,1.75],"tissue":[1.0,2.0],"execution":[1.0,3.0]})");
   EXPECT_TRUE(estimates["durability_mm"]["value"].is_null());
   EXPECT_EQ(keys(json["before"]["estimates"]), keys(estimates));
+}
+
+TEST(PlansJson, APlanHasOneCostByWhichItIsRanked) {
+  SearchResult result = search_result();
+  RankedPlan& plan = result.plans[0];
+  plan.cost = 3.25, plan.fine_cost_change = 1.5, plan.durability_price = 0.5;
+  const Json json = written(to_json(result))["plans"][0];
+  EXPECT_EQ(json["ranked_cost"], 5.25);
+  EXPECT_EQ(json["cost"], 3.25);
+  EXPECT_EQ(json["fine"]["cost"], 4.75);
 }
 
 TEST(PlansJson, APlanStatesItsOpeningAndHowLongItLasts) {

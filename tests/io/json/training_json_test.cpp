@@ -74,7 +74,30 @@ TEST(TrialsCsv, TextIsUtf8WithoutControlCharacters) {
   const auto control = read_block("\x1b[2J");
   ASSERT_FALSE(control);
   EXPECT_EQ(control.errors()[0].path, "/2/block");
-  EXPECT_EQ(control.errors()[0].message, "must have no control characters");
+  EXPECT_EQ(control.errors()[0].message,
+            "must have no control characters but tabs and ends of lines");
+}
+
+TEST(TrialsCsv, NamesAreThoseThatThePageWrote) {
+  const auto read_block = [](const std::string& cell) {
+    std::string text = kTable;
+    const auto trials = read_trials_csv(text.replace(text.find("before"), 6, cell));
+    return trials ? trials->front().block : trials.errors()[0].message;
+  };
+  EXPECT_EQ(read_block("'=1+1"), "=1+1");
+  EXPECT_EQ(read_block("'-5"), "-5");
+  EXPECT_EQ(read_block("\"'@a, b\""), "@a, b");
+  EXPECT_EQ(read_block("\"two\nlines\""), "two\nlines");
+  EXPECT_EQ(read_block("\"'\rback\""), "\rback");
+  EXPECT_EQ(read_block("it's 5 - 3"), "it's 5 - 3");
+  EXPECT_EQ(read_block("'quoted'"), "'quoted'");
+}
+
+TEST(TrialsCsv, LinesAreCountedAlsoInCells) {
+  std::string text = kTable;
+  text.replace(text.find("before"), 6, "\"on\nthree\nlines\"");
+  text.replace(text.find(",0.5,120"), 8, ",1.5,120");
+  EXPECT_EQ(read_trials_csv(text).errors()[0].path, "/5/confidence");
 }
 
 TEST(TrialsCsv, SeedsAreExactInJson) {

@@ -58,12 +58,14 @@ const COLUMNS: readonly (readonly [name: string, of: (trial: Trial) => string | 
 
 /// One row a trial, as `coapt train score` reads it.
 export function trialsCsv(trials: readonly Trial[]): string {
-  const lines = trials.map((trial) => COLUMNS.map(([, of]) => cell(String(of(trial)))).join(','))
+  const lines = trials.map((trial) => COLUMNS.map(([, of]) => cell(of(trial))).join(','))
   return [COLUMNS.map(([name]) => name).join(','), ...lines].map((line) => `${line}\n`).join('')
 }
 
-function cell(text: string): string {
-  return /[",]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
+/// As other tables of coapt have it (io/picture/csv_lines.h): text that a spreadsheet would compute has an apostrophe before it.
+function cell(value: string | number): string {
+  const text = typeof value === 'string' && /^[=+\-@\t\r]/.test(value) ? `'${value}` : String(value)
+  return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
 }
 
 function rounded(value: number): number {

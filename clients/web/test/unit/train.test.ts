@@ -53,6 +53,20 @@ test('a trial is a row of the table that coapt train score reads', () => {
   ])
 })
 
+test('a name is no formula of a spreadsheet, and ends no row', () => {
+  for (const [name, cell] of [
+    ['=1+1', "'=1+1"],
+    ['-5', "'-5"],
+    ['@a, b', `"'@a, b"`],
+    ['two\nlines', '"two\nlines"'],
+    ['\rback', `"'\rback"`],
+    ["it's 5 - 3", "it's 5 - 3"],
+  ] as const) {
+    const trial = keepTrial(4, name, { ...made, name }, judged)
+    expect(trialsCsv([trial])).toContain(`4,${cell},${trial.trial},${cell},A,7,-0.25,`)
+  }
+})
+
 test('answers to exam B are letters, compared one by one', () => {
   expect(lettersOf(['tethered', 'normal', 'prolapsing'])).toBe('TNP')
   expect(rightLetters('TNPNNNNN', 'TTPNNNNP')).toBe(6)
