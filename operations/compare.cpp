@@ -86,7 +86,16 @@ Alignment alignment_of(Alignment asked, bool placed, const Shape& closed, const 
   return stays ? Alignment::None : asked;
 }
 
-Expected<OperationAnswer> compare(const CompareRequest& asked, Context& context) {
+Errors read_files_of(CompareRequest& asked, Context& context) {
+  ProblemList problems;
+  for (auto& [shape, path] :
+       {std::pair(&asked.closed, "/closed"), {&asked.reference, "/reference"}})
+    add_below(problems, "", read_file_of(shape->given, path, context));
+  return std::move(problems).take();
+}
+
+Expected<OperationAnswer> compare(CompareRequest& asked, Context& context) {
+  if (Errors errors = read_files_of(asked, context); !errors.empty()) return errors;
   Shape closed = asked.closed, reference = asked.reference;
   for (auto& [shape, path] : {std::pair(&closed, "/closed"), {&reference, "/reference"}})
     if (Errors errors = close_shape(*shape, asked.membrane, path, context); !errors.empty())
@@ -111,7 +120,11 @@ Expected<OperationAnswer> compare(const CompareRequest& asked, Context& context)
 }
 
 Index size_of(const Shape& shape) {
-  return shape.valve ? shape.valve->repaired.rest_mm.rows() : shape.given.mesh.vertices_mm.rows();
+  return shape.valve ? shape.valve->repaired.rest_mm.rows() : size_of(shape.given.mesh);
+}
+
+Index size_of(const CompareRequest& asked) {
+  return std::max(size_of(asked.closed), size_of(asked.reference));
 }
 
 }  // namespace
@@ -135,8 +148,14 @@ Expected<OperationTask> read_compare(const Json& request, const Context& context
                                     {"membrane", into(asked->membrane, membrane), false},
                                     {"nodes", into(asked->nodes, read_boolean), false}});
   if (!problems.empty()) return std::move(problems).take();
-  const Index vertices = std::max(size_of(asked->closed), size_of(asked->reference));
-  return OperationTask{vertices, 2, [asked](Context& within) { return compare(*asked, within); }};
+  OperationTask task{size_of(*asked), 2,
+                     [asked](Context& within) { return compare(*asked, within); }};
+  if (asked->closed.given.file || asked->reference.given.file)
+    task.read_files = [asked](Context& within) -> Expected<Index> {
+      if (Errors errors = read_files_of(*asked, within); !errors.empty()) return errors;
+      return size_of(*asked);
+    };
+  return task;
 }
 
 }  // namespace coapt

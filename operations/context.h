@@ -30,7 +30,9 @@ struct OperationLimits {
   double seconds = std::numeric_limits<double>::infinity();  ///< of computing
   int closures = std::numeric_limits<
       int>::max();  ///< of plans that are scored, of 650 triangles; fewer of larger valves
-  int threads = 0;  ///< 0: all cores. Does not change any answer
+  std::ptrdiff_t voxels = std::numeric_limits<
+      std::ptrdiff_t>::max();  ///< of the label maps of one answer, all together
+  int threads = 0;             ///< 0: all cores. Does not change any answer
 
  private:
   OperationLimits() = default;

@@ -6,6 +6,7 @@
 #include "core/closure/standing.h"
 #include "core/valve/number_text.h"
 #include "core/valve/problem_list.h"
+#include "io/exchange/valve_labels.h"
 #include "io/image/image_geometry.h"
 #include "io/json/version.h"
 #include "operations/repair_request.h"
@@ -47,15 +48,43 @@ ExportFrame read_frame(const JsonPlace& place) {
                                                                    : ExportFrame::Valve;
 }
 
-/// At most as many voxels as a CT of 512 x 512 x 128.
-constexpr Index kMostGridVoxels = 1 << 25;
+// 320 x 320 x 320 voxels take 0.8 s of a core.
+constexpr double kOfAVoxel_s = 25e-9;
 
 struct ExportRequest {
   RepairRequest repair{};
   const FileFormat* format = nullptr;  ///< of the one file that is answered; else:
   std::vector<std::string> formats{};  ///< of the files in the document that is answered
   ExportOptions options{};
+
+  std::vector<const FileFormat*> files() const {
+    if (format != nullptr) return {format};
+    std::vector<const FileFormat*> named;
+    for (const std::string& name : formats)
+      if (name != kFolder) named.push_back(format_named(name));
+    return named;
+  }
 };
+
+/// A label map has its voxels before they are compressed, each format anew.
+Errors check_voxels(const ExportRequest& asked, const OperationLimits& limits) {
+  if (!asked.options.grid) return {};
+  const std::vector<const FileFormat*> files = asked.files();
+  const auto maps = std::count_if(files.begin(), files.end(),
+                                  [](const FileFormat* file) { return file->is_label_map; });
+  const double voxels = asked.options.grid->voxels();
+  if (static_cast<double>(maps) * voxels <= static_cast<double>(limits.voxels)) return {};
+  return {Error{ErrorCode::OutOfRange, "/grid",
+                "has " + with_decimals(voxels, 0) + " voxels for each of " + std::to_string(maps) +
+                    " label maps, but this service accepts at most " +
+                    std::to_string(limits.voxels) +
+                    " of all of them; request one format at a time, or a coarser grid"}};
+}
+
+ExportOptions within(ExportOptions options, const Context& context) {
+  options.cancelled = [&context] { return context.cancelled(); };
+  return options;
+}
 
 /// What a user should know of files in these formats, a sentence each.
 Json notes_on(const ClosedValve& exported, const ExportRequest& asked) {
@@ -79,8 +108,14 @@ Json notes_on(const ClosedValve& exported, const ExportRequest& asked) {
   return notes;
 }
 
+Errors refused(const Errors& errors, const Context& context) {
+  return errors.front().code == ErrorCode::Busy ? Errors{context.refusal()} : errors;
+}
+
 /// The files of all formats, as one document.
-Expected<OperationAnswer> exported_files(const ClosedValve& exported, const ExportRequest& asked) {
+Expected<OperationAnswer> exported_files(const ClosedValve& exported, const ExportRequest& asked,
+                                         const Context& context) {
+  const ExportOptions options = within(asked.options, context);
   Json files = Json::array();
   const auto add = [&](const std::string& format, const NamedFile& file) {
     Json entry = {{"format", format}};
@@ -88,14 +123,15 @@ Expected<OperationAnswer> exported_files(const ClosedValve& exported, const Expo
     files.push_back(std::move(entry));
   };
   for (const std::string& format : asked.formats) {
+    if (context.cancelled()) return context.refusal();
     if (format == kFolder) {
-      const auto folder = write_slicerheart(exported, asked.options);
+      const auto folder = write_slicerheart(exported, options);
       if (!folder) return folder.errors();
       for (const NamedFile& file : *folder) add(format, file);
       continue;
     }
-    Expected<AnswerFile> file = exported_file(exported, *format_named(format), asked.options);
-    if (!file) return file.errors();
+    Expected<AnswerFile> file = exported_file(exported, *format_named(format), options);
+    if (!file) return refused(file.errors(), context);
     add(format, {file->name, std::move(file->bytes)});
   }
   Json answer = result_document("coapt.export/1", {{"closure", closure_name(exported.closure)},
@@ -116,15 +152,15 @@ Expected<ClosedValve> closed_of(const ExportRequest& asked, Context& context) {
 Expected<OperationAnswer> write_export(const ExportRequest& asked, Context& context) {
   const Expected<ClosedValve> closed = closed_of(asked, context);
   if (!closed) return closed.errors();
-  Expected<AnswerFile> file = exported_file(*closed, *asked.format, asked.options);
-  if (!file) return file.errors();
+  Expected<AnswerFile> file = exported_file(*closed, *asked.format, within(asked.options, context));
+  if (!file) return refused(file.errors(), context);
   return OperationAnswer(*std::move(file));
 }
 
 Expected<OperationAnswer> write_files(const ExportRequest& asked, Context& context) {
   const Expected<ClosedValve> closed = closed_of(asked, context);
   if (!closed) return closed.errors();
-  return exported_files(*closed, asked);
+  return exported_files(*closed, asked, context);
 }
 
 template <class Run>
@@ -136,11 +172,15 @@ Expected<OperationTask> read_asked(const Json& request, const Context& context,
                       {std::move(formats),
                        {"open", into(asked->options.open, read_boolean), false},
                        {"frame", into(asked->options.frame, read_frame), false},
-                       {"grid", into(asked->options.grid, grid_in(kMostGridVoxels)), false}},
+                       {"grid", into(asked->options.grid, grid_in(kMostLabelVoxels)), false}},
                       asked->repair);
       !errors.empty())
     return errors;
-  return task_of(asked, 1, run);
+  if (Errors errors = check_voxels(*asked, context.limits); !errors.empty()) return errors;
+  OperationTask task = task_of(asked, 1, run);
+  for (const FileFormat* file : asked->files())
+    task.seconds += writing_seconds(*file, asked->repair.repaired.rest_mm, asked->options);
+  return task;
 }
 
 }  // namespace
@@ -151,6 +191,12 @@ Expected<AnswerFile> exported_file(const ClosedValve& exported, const FileFormat
   if (!bytes) return bytes.errors();
   return AnswerFile{format.media_type, *std::move(bytes), std::string("valve.") + format.name,
                     closure_name(exported.closure)};
+}
+
+double writing_seconds(const FileFormat& format, const Points& vertices_mm,
+                       const ExportOptions& options) {
+  if (!format.is_label_map) return 0.0;
+  return kOfAVoxel_s * (options.grid ? *options.grid : label_grid_about(vertices_mm)).voxels();
 }
 
 Expected<OperationTask> read_export(const Json& request, const Context& context) {

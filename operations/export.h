@@ -10,4 +10,8 @@ namespace coapt {
 Expected<AnswerFile> exported_file(const ClosedValve& exported, const FileFormat& format,
                                    const ExportOptions& options = {});
 
+/// That writing the file takes of a core, roughly: of a label map of a valve that is there.
+double writing_seconds(const FileFormat& format, const Points& vertices_mm,
+                       const ExportOptions& options = {});
+
 }  // namespace coapt

@@ -34,22 +34,28 @@ SurfaceFrame read_surface_frame(const JsonPlace& place) {
                                                                    : SurfaceFrame::Valve;
 }
 
-/// Into the valve's frame.
-Errors place_surface(FitAsked& asked) {
-  if (asked.frame == SurfaceFrame::Valve) return {};
-  Points& points_mm = asked.surface.mesh.vertices_mm;
-  if (asked.valve.patient) {
-    points_mm = from_patient(*asked.valve.patient, points_mm);
-    return {};
-  }
-  if (asked.frame == SurfaceFrame::PatientIfKnown) return {};
+Errors check_frame(const FitAsked& asked) {
+  if (asked.frame != SurfaceFrame::Patient || asked.valve.patient) return {};
   return {Error{ErrorCode::MissingField, "/valve/patient_frame",
                 "is missing in the valve: it was not made from images, or by an older version; "
                 "use the frame valve if the surface is in the valve's own frame"}};
 }
 
-Expected<OperationAnswer> fit(const FitAsked& asked, Context& context) {
-  const LeafletMesh& surface = asked.surface.mesh;
+/// In the valve's frame.
+LeafletMesh placed_surface(const FitAsked& asked) {
+  LeafletMesh surface = asked.surface.mesh;
+  if (asked.frame != SurfaceFrame::Valve && asked.valve.patient)
+    surface.vertices_mm = from_patient(*asked.valve.patient, surface.vertices_mm);
+  return surface;
+}
+
+Errors read_files_of(FitAsked& asked, Context& context) {
+  return read_file_of(asked.surface, "/surface", context);
+}
+
+Expected<OperationAnswer> fit(FitAsked& asked, Context& context) {
+  if (Errors errors = read_files_of(asked, context); !errors.empty()) return errors;
+  const LeafletMesh surface = placed_surface(asked);
   const MeasuredClosure measured{surface.vertices_mm, asked.target.side, asked.target.leak_mm2,
                                  asked.target.leak_sd_mm2};
   const Expected<ValveFit> found =
@@ -91,9 +97,16 @@ Expected<OperationTask> read_fit(const Json& request, const Context& context) {
   read_fields({request, problems}, fields);
   if (!problems.empty()) return std::move(problems).take();
   if (asked->source.empty()) asked->source = asked->valve.name;
-  if (Errors errors = place_surface(*asked); !errors.empty()) return errors;
-  return OperationTask{asked->valve.rest_mm.rows(), std::numeric_limits<std::ptrdiff_t>::max(),
-                       [asked](Context& within) { return fit(*asked, within); }};
+  if (Errors errors = check_frame(*asked); !errors.empty()) return errors;
+  const Index vertices = asked->valve.rest_mm.rows();
+  OperationTask task{vertices, std::numeric_limits<std::ptrdiff_t>::max(),
+                     [asked](Context& within) { return fit(*asked, within); }};
+  if (asked->surface.file)
+    task.read_files = [asked, vertices](Context& within) -> Expected<Index> {
+      if (Errors errors = read_files_of(*asked, within); !errors.empty()) return errors;
+      return vertices;
+    };
+  return task;
 }
 
 }  // namespace coapt

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/exchange/shape_file.h"
-#include "io/json/named_file.h"
-
 namespace coapt {
 namespace {
 
 constexpr std::size_t kLongestSource = 1000, kMostLeaflets = 100;
-constexpr std::ptrdiff_t kVerticesOfAValve = 20;  // one of images is as much finer
+constexpr std::size_t kVerticesOfAValve = 20, kTrianglesOfAVertex = 2;
 constexpr Range kThicknesses_mm = {0.01, 10.0};
 
 std::string read_short_string(const JsonPlace& place) {
@@ -66,28 +63,38 @@ LeafletMesh read_numbers(const JsonPlace& place, std::optional<double>& thicknes
   return mesh;
 }
 
-/// The surface of a file, as the context reads it.
-LeafletMesh read_in(const JsonPlace& place, const NamedFile& file, const ShapeFileOptions& options,
-                    const Context& context) {
-  if (!context.surface_of) {
-    add_problem(place, ErrorCode::Unsupported, "no file is read here; send the mesh as numbers");
-    return {};
-  }
-  Expected<LeafletMesh> mesh = context.surface_of(file, options);
-  if (mesh) return *std::move(mesh);
-  add_below(place.problems, pointer(place), mesh.errors());
-  return {};
-}
-
-void check_count(const JsonPlace& place, const LeafletMesh& mesh, const Context& context) {
-  const std::ptrdiff_t most = kVerticesOfAValve * std::ptrdiff_t{context.limits.vertices};
-  if (mesh.vertices_mm.rows() <= most) return;
-  add_problem(place, ErrorCode::OutOfRange,
-              "has " + std::to_string(mesh.vertices_mm.rows()) +
-                  " vertices, but this service accepts at most " + std::to_string(most));
+/// What is wrong with the surface of a shape.
+Errors check(const GivenShape& shape, const OperationLimits& limits) {
+  if (shape.triangles == Triangles::Required && shape.mesh.faces.rows() == 0)
+    return {Error{ErrorCode::MissingField, "", "must have triangles, not points alone"}};
+  return check_surface(shape.mesh, limits);
 }
 
 }  // namespace
+
+MeshLimits surface_limits(const OperationLimits& limits) {
+  constexpr MeshLimits kUsual;
+  const auto of_a_valve = static_cast<std::size_t>(std::max(0, limits.vertices));
+  const std::size_t vertices =
+      kVerticesOfAValve * std::min(kUsual.vertices / kVerticesOfAValve, of_a_valve);
+  return {vertices, kTrianglesOfAVertex * vertices};
+}
+
+Errors check_surface(const LeafletMesh& mesh, const OperationLimits& limits) {
+  const MeshLimits most = surface_limits(limits);
+  const auto vertices = static_cast<std::size_t>(mesh.vertices_mm.rows()),
+             faces = static_cast<std::size_t>(mesh.faces.rows());
+  if (vertices <= most.vertices && faces <= most.faces) return {};
+  return {Error{ErrorCode::OutOfRange, "",
+                "has " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
+                    " triangles, but this service accepts at most " +
+                    std::to_string(most.vertices) + " and " + std::to_string(most.faces)}};
+}
+
+Index size_of(const LeafletMesh& mesh) {
+  return std::max(mesh.vertices_mm.rows(),
+                  mesh.faces.rows() / static_cast<Index>(kTrianglesOfAVertex));
+}
 
 JsonField source_field(std::string& source) {
   return {"source", into(source, read_short_string), false};
@@ -97,32 +104,47 @@ void read_given_shape(const JsonPlace& place, const Context& context, GivenShape
                       Triangles triangles) {
   ProblemList problems;  // of this shape alone
   const JsonPlace alone{place.value, problems};
-  std::optional<NamedFile> file;
   std::optional<LeafletMesh> numbers;
-  ShapeFileOptions options;
+  shape.triangles = triangles;
+  shape.reading.limits = surface_limits(context.limits);
   const auto mesh_of = [&](const JsonPlace& mesh) {
     return read_numbers(mesh, shape.thickness_mm);
   };
-  read_fields(alone, {{"mesh", into(numbers, mesh_of), false},
-                      {"file", into(file, read_file), false},
-                      {"leaflet_array", into(options.leaflets, read_short_string), false},
-                      {"displacement_array", into(options.displacement, read_short_string), false},
-                      source_field(shape.source)});
-  if (problems.empty() && numbers.has_value() == file.has_value())
+  read_fields(alone,
+              {{"mesh", into(numbers, mesh_of), false},
+               {"file", into(shape.file, read_file), false},
+               {"leaflet_array", into(shape.reading.leaflets, read_short_string), false},
+               {"displacement_array", into(shape.reading.displacement, read_short_string), false},
+               source_field(shape.source)});
+  if (problems.empty() && numbers.has_value() == shape.file.has_value())
     add_problem(alone, ErrorCode::MissingField, "must have exactly one of mesh and file");
-  if (problems.empty() && file)
-    shape.mesh = read_in({place.value["file"], problems, &alone, "file"}, *file, options, context);
-  if (problems.empty() && numbers) shape.mesh = *std::move(numbers);
-  if (problems.empty() && triangles == Triangles::Required && shape.mesh.faces.rows() == 0)
-    add_problem(alone, ErrorCode::MissingField, "must have triangles, not points alone");
-  if (problems.empty()) check_count(alone, shape.mesh, context);
+  if (problems.empty() && shape.file && !context.surface_of)
+    problems.add(ErrorCode::Unsupported, "/file", "no file is read here; send the mesh as numbers");
+  if (problems.empty() && numbers) {
+    shape.mesh = *std::move(numbers);
+    add_below(problems, "", check(shape, context.limits));
+  }
   if (!problems.empty())
     return add_below(place.problems, pointer(place), std::move(problems).take());
   if (numbers && shape.mesh.faces.rows() > 0)
     shape.mesh = without_loose_vertices(shape.mesh.leaflets.empty()
                                             ? in_pieces(shape.mesh.vertices_mm, shape.mesh.faces)
                                             : shape.mesh);
-  if (shape.source.empty()) shape.source = file ? file->name : "mesh";
+  if (shape.source.empty()) shape.source = shape.file ? shape.file->name : "mesh";
+}
+
+Errors read_file_of(GivenShape& shape, const std::string& path, const Context& context) {
+  if (!shape.file) return {};
+  ProblemList problems;
+  Expected<LeafletMesh> mesh = context.surface_of(*shape.file, shape.reading);
+  if (mesh) {
+    shape.file.reset();
+    shape.mesh = *std::move(mesh);
+    add_below(problems, path, check(shape, context.limits));
+  } else {
+    add_below(problems, path + "/file", mesh.errors());
+  }
+  return std::move(problems).take();
 }
 
 }  // namespace coapt

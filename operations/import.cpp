@@ -11,7 +11,7 @@ namespace {
 /// The valve fitted to the surface that the request has.
 Expected<FittedImport> fit_of(const ImportRequest& asked, const ImportedValve& imported,
                               Context& context) {
-  const Expected<LeafletMesh> surface = fit_surface(asked, imported);
+  const Expected<LeafletMesh> surface = fit_surface(asked, imported, context.limits);
   if (!surface) return surface.errors();
   const FitTarget& target = asked.fit->target;
   const MeasuredClosure measured{surface->vertices_mm, target.side, target.leak_mm2,

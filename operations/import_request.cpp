@@ -14,6 +14,7 @@
 #include "io/picture/fit_picture.h"
 #include "io/picture/text.h"
 #include "io/store/sha256.h"
+#include "operations/given_shape.h"
 #include "operations/import_source.h"
 #include "operations/voxel_grid.h"
 
@@ -209,6 +210,30 @@ Errors check_import(const ImportRequest& asked, const OperationLimits& limits) {
 
 namespace {
 
+/// Options that change nothing of this import: those of straight chordae, and of leaflets that were imaged closed.
+std::vector<ImportDecision> unused_options(const ImportOptions& options,
+                                           const ImportedValve& imported) {
+  struct Unused {
+    bool differs, used;
+    const char *name, *reason;
+  };
+  constexpr const char* kDrawn = "synthesised chordae have their own branches and slack";
+  const ImportOptions usual;
+  const bool model = !is_mitral(imported.valve);
+  const bool given = !model && !imported.valve.drawn_chordae;
+  std::vector<ImportDecision> unused;
+  for (const Unused& option :
+       {Unused{options.branches != usual.branches, given, "branches", kDrawn},
+        {options.branch_at != usual.branch_at, given, "branching point", kDrawn},
+        {options.slack != usual.slack, given, "slack", kDrawn},
+        {options.hidden_mm != usual.hidden_mm, imported.input.closed, "hidden height",
+         "the leaflets were not interpreted as closed"}})
+    if (option.differs && !option.used)
+      unused.push_back({"options", std::string(option.name) + " not used",
+                        model ? "a finite element model is taken as it is" : option.reason, true});
+  return unused;
+}
+
 /// Of any number of leaflets; what an import decides of a mitral valve is not asked.
 Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest& asked) {
   const ImportReading& reading = asked.reading;
@@ -254,6 +279,8 @@ Expected<ImportedValve> import_model(const NamedFile& file, const ImportRequest&
        "a finite element model: " + counted(std::ssize(imported.valve.leaflets), "leaflet") + ", " +
            counted(std::ssize(imported.valve.chordae), "chorda", "chordae"),
        "its shells are the leaflets, its trusses the chordae"});
+  const auto unused = unused_options(options, imported);
+  imported.decisions.insert(imported.decisions.end(), unused.begin(), unused.end());
   return imported;
 }
 
@@ -289,13 +316,16 @@ Expected<ImportedValve> make_import(ImportRequest asked, const ClosureBudget& bu
   if (draws && source->chordae.empty() && !options.chordae_seed) options.chordae_seed = seed;
   Expected<ImportedValve> made = import_with_decisions(*std::move(source), options);
   if (!made) return requested.as_requested(made.errors());
+  const auto unused = unused_options(options, *made);
+  made->decisions.insert(made->decisions.end(), unused.begin(), unused.end());
   if (observed.empty()) return made;
   for (const Observation& seen : observed) observe(made->valve.observed, seen);
   if (Errors errors = validate(made->valve); !errors.empty()) return errors;
   return made;
 }
 
-Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported) {
+Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported,
+                                  const OperationLimits& limits) {
   LeafletMesh surface;
   if (!request.fit->surface) {
     const TriangleMesh leaflets = joined(imported.input.leaflets);
@@ -313,7 +343,8 @@ Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedVa
     else
       errors = points.errors();
   } else {
-    const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format);
+    const Expected<TriangleMesh> mesh =
+        read_mesh(file.bytes, format, kMostUnpackedSent, surface_limits(limits));
     if (mesh) {
       surface.vertices_mm = mesh->vertices_mm;
       surface.faces = mesh->faces;
@@ -323,6 +354,9 @@ Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedVa
   }
   for (Error& error : errors) error.path = "/fit/surface" + error.path;
   if (!errors.empty()) return errors;
+  const auto stated = stated_axes(file.bytes);
+  if (request.reading.axes.value_or(stated.value_or(PatientAxes::LPS)) == PatientAxes::RAS)
+    turn_axes(surface.vertices_mm);
   surface.vertices_mm *= in_mm(imported.unit);
   if (imported.valve.patient)
     surface.vertices_mm = from_patient(*imported.valve.patient, surface.vertices_mm);

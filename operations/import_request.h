@@ -48,8 +48,10 @@ Errors check_import(const ImportRequest& request, const OperationLimits& limits)
 /// Pointers of errors are those of the request; Busy if the budget was cancelled. @pre check_import() is empty.
 Expected<ImportedValve> make_import(ImportRequest request, const ClosureBudget& budget);
 
-/// The measured surface of request.fit in the valve's frame. Errors: "/fit/surface". @pre request.fit
-Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported);
+/// The measured surface of request.fit in the valve's frame; of a file no more than surface_limits(). Errors: "/fit/surface".
+/// @pre request.fit
+Expected<LeafletMesh> fit_surface(const ImportRequest& request, const ImportedValve& imported,
+                                  const OperationLimits& limits);
 
 inline constexpr const char* kFittedSurface = "the closed surface";  // files have patients' names
 

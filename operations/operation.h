@@ -33,6 +33,10 @@ struct OperationTask {
   std::ptrdiff_t closures =
       1;  ///< that it makes, roughly, or what takes as long; 0: nothing that is worth a turn
   std::function<Expected<OperationAnswer>(Context& context)> run;
+  double seconds = 0.0;  ///< of a core that it takes beside its closures, roughly
+  /// Reads the files of the request, which `run` does where this was not called. Returns `vertices`, which may depend on them. Empty:
+  /// there are none.
+  std::function<Expected<Index>(Context& context)> read_files = {};
 };
 
 /// Who carries requests for an operation.

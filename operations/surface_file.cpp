@@ -8,7 +8,7 @@ namespace coapt {
 Expected<LeafletMesh> read_surface_file(const NamedFile& file, const ShapeFileOptions& options) {
   const std::string format = format_of(file.name);
   if (is_shape_format(format)) return read_shape(file.bytes, format, options);
-  if (format == "json") return read_scene_shape(file.bytes);
+  if (format == "json") return read_scene_shape(file.bytes, options.limits);
   if (format != "csv")
     return Error{
         ErrorCode::Unsupported, "/name",
@@ -17,6 +17,7 @@ Expected<LeafletMesh> read_surface_file(const NamedFile& file, const ShapeFileOp
   if (!points) return points.errors();
   LeafletMesh cloud;
   cloud.vertices_mm = *points;
+  if (stated_axes(file.bytes) == PatientAxes::RAS) turn_axes(cloud.vertices_mm);
   cloud.faces.resize(0, 3);
   return cloud;
 }

@@ -71,7 +71,8 @@ Routes routes_of(const Service& service) {
   for (const Operation& operation : operations()) {
     if (operation.read == nullptr || (operation.doors & door::kService) == 0) continue;
     if (operation.as_job)
-      routes.push_back({"POST", operation.path, SubmitOperation{operation, submitting, imports}});
+      routes.push_back(
+          {"POST", operation.path, SubmitOperation{operation, submitting, imports, compute}});
     else if (!operation.needs_store)
       routes.push_back(
           {"POST", operation.path, PostOperation{operation, valves, imports, compute}});

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <functional>
 
+#include "io/exchange/valve_labels.h"
+
 namespace coapt {
 
 OperationLimits operation_limits(const ServiceLimits& limits) {
@@ -12,6 +14,7 @@ OperationLimits operation_limits(const ServiceLimits& limits) {
   of_operations.vertex_steps = limits.vertex_steps;
   of_operations.seconds = limits.request_seconds;
   of_operations.closures = limits.evaluation_closures;
+  of_operations.voxels = kMostLabelVoxels;
   of_operations.threads = limits.request_threads;
   return of_operations;
 }
@@ -41,6 +44,20 @@ Answer no_turn(const Compute::Turn& turn) {
 Answer refusal(const Errors& errors) {
   const bool is_busy = errors.front().code == ErrorCode::Busy;
   return problem(is_busy ? 503 : 422, errors);
+}
+
+std::optional<Answer> read_files_in_turn(OperationTask& task, Compute& compute, Context& context,
+                                         const Request& request) {
+  if (!task.read_files) return std::nullopt;
+  Answer answer =
+      answer_in_turn(compute, context, turn_for(request, kImport_s), [&](Context& within) {
+        const Expected<Index> vertices = task.read_files(within);
+        if (!vertices) return refusal(vertices.errors());
+        task.vertices = *vertices;
+        return Answer{};
+      });
+  if (answer.status == 200) return std::nullopt;
+  return answer;
 }
 
 }  // namespace coapt

@@ -1,6 +1,8 @@
 // What is computed for a client that waits: within the limits of the service, in its turn, and only while somebody waits.
 #pragma once
 
+#include <optional>
+
 #include "operations/operation.h"
 #include "server/answers.h"
 #include "server/compute.h"
@@ -14,7 +16,7 @@ OperationLimits operation_limits(const ServiceLimits& limits);
 /// So many closures of a valve of so many vertices, or something as long, in seconds on a core of its own, roughly.
 double closing_seconds(Index vertices, std::ptrdiff_t closures = 1);
 
-/// Reading the files of an import, and making a valve of them, likewise: a long turn.
+/// Reading the files of a request, and making a valve of those of an import, likewise: a long turn.
 inline constexpr double kImport_s = 2.0;
 
 /// What a turn for this request is asked with.
@@ -46,5 +48,9 @@ Answer answer_in_turn(Compute& compute, const ServiceLimits& limits, const Reque
   Context context{.limits = operation_limits(limits), .abandoned = request.abandoned};
   return answer_in_turn(compute, context, turn_for(request, seconds), answer);
 }
+
+/// Reads the files of a task, if it has any, in a turn of their own; then it knows its vertices. Else why not.
+std::optional<Answer> read_files_in_turn(OperationTask& task, Compute& compute, Context& context,
+                                         const Request& request);
 
 }  // namespace coapt

@@ -87,8 +87,8 @@ void print_shape(std::ostream& out, const char* label, const Json& shape) {
 void print_comparison(std::ostream& out, const Json& json) {
   const bool nodes = json["pairing"] == "node_to_node";
   const Json& alignment = json["alignment"];
-  out << json["closed"]["source"].get<std::string>() << " against "
-      << json["reference"]["source"].get<std::string>()
+  out << printable(json["closed"]["source"].get<std::string>()) << " against "
+      << printable(json["reference"]["source"].get<std::string>())
       << (nodes ? ", node to node" : ", node to surface");
   if (alignment["rigid"])
     out << ", after a rigid motion of " << fixed(alignment["shift_mm"], 3) << " mm and "
@@ -125,16 +125,31 @@ Matrix matrix_of(const Json& rows) {
   return matrix;
 }
 
-std::string map_vtk(const Json& nodes) {
+/// "closed: UNRELIABLE: not converged", of either shape; empty where both closures are to be trusted.
+std::string doubts_in(const Json& found) {
+  std::string doubts;
+  for (const char* name : {"closed", "reference"})
+    if (found[name].contains("doubt"))
+      doubts += (doubts.empty() ? "" : "; ") + std::string(name) + ": " +
+                printable(found[name]["doubt"].get<std::string>());
+  return doubts;
+}
+
+std::string map_vtk(const Json& found, const Json& nodes) {
   const auto as_numbers = [&](const char* name) {
     std::vector<double> numbers;
     for (const Json& value : nodes[name])
       numbers.push_back(value.is_boolean() ? (value.get<bool>() ? 1.0 : 0.0) : value.get<double>());
     return numbers;
   };
-  VtkPolyData data{
-      kVtkTitle, matrix_of<Points>(nodes["moved_mm"]), {}, matrix_of<Faces>(nodes["faces"]), {}, {},
-      {}};
+  const std::string doubts = doubts_in(found);
+  VtkPolyData data{kVtkTitle + (doubts.empty() ? "" : "; " + doubts),
+                   matrix_of<Points>(nodes["moved_mm"]),
+                   {},
+                   matrix_of<Faces>(nodes["faces"]),
+                   {},
+                   {},
+                   {}};
   data.point_data = {{"signed_distance_mm", as_numbers("signed_mm"), false},
                      {"contact", as_numbers("contact"), true}};
   data.face_data = {{"leaflet", as_numbers("leaflets"), true}};
@@ -152,7 +167,8 @@ std::string map_png(const Json& found, const Json& nodes) {
        std::string(found["pairing"] == "node_to_node" ? "node to node" : "node to surface") +
            (found["alignment"]["rigid"] ? ", aligned" : "") + ": rms " + in_mm(found["rms_mm"]) +
            ", p95 " + in_mm(found["p95_mm"]) + ", max " + in_mm(found["max_mm"]) +
-           "; research software, not a medical device"});
+           "; research software, not a medical device",
+       doubts_in(found)});
 }
 
 /// Says which closures are not to be trusted; whether there is none, and the alignment settled.
@@ -161,7 +177,7 @@ bool at_rest(const Json& found) {
   for (const char* name : {"closed", "reference"}) {
     const Json& shape = found[name];
     if (!shape.contains("doubt")) continue;
-    std::cerr << "coapt: compare: " << shape["source"].get<std::string>() << ": "
+    std::cerr << "coapt: compare: " << printable(shape["source"].get<std::string>()) << ": "
               << shape["doubt"].get<std::string>() << '\n';
     trusted = false;
   }
@@ -171,7 +187,8 @@ bool at_rest(const Json& found) {
 int write_maps(const CompareArguments& arguments, const Json& found, const Json& nodes) {
   if (!arguments.picture.empty())
     if (const int failed = write_output(arguments.picture, map_png(found, nodes))) return failed;
-  return arguments.mesh.empty() ? exit_code::kOk : write_output(arguments.mesh, map_vtk(nodes));
+  return arguments.mesh.empty() ? exit_code::kOk
+                                : write_output(arguments.mesh, map_vtk(found, nodes));
 }
 
 int run(const CompareArguments& arguments, const std::optional<Service>& service) {
@@ -199,7 +216,7 @@ int run(const CompareArguments& arguments, const std::optional<Service>& service
   const Json nodes = found->value("nodes", Json());
   found->erase("nodes");
   if (arguments.json)
-    std::cout << found->dump(2) << '\n';
+    std::cout << json_text(*found, 2) << '\n';
   else
     print_comparison(std::cout, *found);
   const bool trusted = at_rest(*found);

@@ -105,7 +105,7 @@ void print_fit(std::ostream& out, const Json& fit) {
   for (const Json& fitted : fit["parameters"]) {
     const bool mm = fitted["unit"] == "mm";
     out << "  " << std::left << std::setw(28)
-        << (fitted["name"].get<std::string>() + (mm ? ", mm" : "")) << std::right;
+        << (printable(fitted["name"].get<std::string>()) + (mm ? ", mm" : "")) << std::right;
     for (const char* number : {"value", "sd", "prior", "prior_sd"})
       out << std::setw(9) << fixed(fitted[number], mm ? 2 : 3);
     out << (fitted["identifiable"] ? "" : "  weakly constrained by the data") << '\n';
@@ -163,7 +163,7 @@ int run(const FitArguments& arguments, const std::optional<Service>& service) {
   fit->erase("map");
   (*fit)["closed"] = arguments.closed;  // with its folder, which the valve's provenance leaves out
   if (arguments.json)
-    std::cout << fit->dump(2) << '\n';
+    std::cout << json_text(*fit, 2) << '\n';
   else
     print_fit(std::cout, *fit);
   for (const Json& doubt : (*fit)["doubts"])

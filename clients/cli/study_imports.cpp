@@ -114,11 +114,6 @@ std::string table_of(const std::vector<Json>& rows) {
   return csv.text();
 }
 
-/// Names of files need not be UTF-8.
-std::string dumped(const Json& json, int indent = -1) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 /// What messages have in common: without their numbers.
 std::string without_numbers(std::string reason) {
   std::erase_if(reason, [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -162,10 +157,10 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
   Json document = summary;
   document["imports"] = rows;
   if (const int failed = write_output(directory / "imports.csv", table_of(rows))) return failed;
-  if (const int failed = write_output(directory / "imports.json", dumped(document, 2) + '\n'))
+  if (const int failed = write_output(directory / "imports.json", json_text(document, 2) + '\n'))
     return failed;
   if (arguments.json) {
-    std::cout << dumped(summary, 2) << '\n';
+    std::cout << json_text(summary, 2) << '\n';
     return exit_code::kOk;
   }
   for (const char* stage : kImportStages)
@@ -176,7 +171,7 @@ int finish(const StudyImportsArguments& arguments, const std::vector<Json>& rows
   if (left_out > 0)
     std::cout << counted(left_out, "entry", "entries")
               << " of the folder not used: neither label maps nor folders with files of a valve\n";
-  std::cout << "Written to " << (directory / "imports.csv").string() << '\n';
+  std::cout << "Written to " << printable((directory / "imports.csv").string()) << '\n';
   return exit_code::kOk;
 }
 
@@ -307,7 +302,7 @@ class ImportsStudy {
       row["valve"] = is_written ? Json(file) : Json();
       if (arguments_.pictures) draw(one);
     }
-    log_ << dumped(row) << std::endl;
+    log_ << json_text(row) << std::endl;
   }
 
   void draw(const ImportCase& one) const {

@@ -25,6 +25,7 @@ struct ValveImportArguments {
   ImportInputs inputs;
   PatientAxes axes = PatientAxes::LPS;  // if given
   int seed = 1;
+  bool seed_given = false;
   LengthUnit units = LengthUnit::Millimetre;  // if given
   std::string name, thickness;
   std::vector<std::string> provenance;
@@ -34,7 +35,6 @@ struct ValveImportArguments {
   ObservedOptions observed;
   std::string output, picture;
   bool json = false, strict = false;
-  std::vector<std::string> given;  ///< options that may turn out to be of no use
 };
 
 constexpr const char* kSynthesise = "synthesise";
@@ -77,25 +77,6 @@ void tell(const std::vector<ImportDecision>& decisions) {
                 << ".\n";
 }
 
-/// Options that change nothing of this import.
-std::vector<ImportDecision> unused_options(const ValveImportArguments& arguments,
-                                           const ImportedValve& imported) {
-  const bool drawn = imported.valve.drawn_chordae.has_value();
-  const bool model = !is_mitral(imported.valve);
-  std::vector<ImportDecision> unused;
-  for (const std::string& option : arguments.given) {
-    const bool of_drawn = option == "--seed", of_closed = option == "--hidden";
-    if (!model && (of_closed ? imported.input.closed : of_drawn == drawn)) continue;
-    unused.push_back({"options", option + " not used",
-                      model       ? "a finite element model is taken as it is"
-                      : of_closed ? "the leaflets were not interpreted as closed"
-                      : of_drawn  ? "the files contain chordae"
-                                  : "synthesised chordae have their own branches and slack",
-                      true});
-  }
-  return unused;
-}
-
 /// What was read, with the options of the import.
 ReadInputs read_request(const ValveImportArguments& arguments) {
   const bool synthesises = arguments.inputs.chordae == kSynthesise;
@@ -128,15 +109,19 @@ int run(ValveImportArguments& arguments) {
                                 "not a finite element model"}});
   valve->decisions.insert(valve->decisions.begin(), read.decisions.begin(), read.decisions.end());
   take_observed(arguments.observed, valve->valve);
-  const auto unused = unused_options(arguments, *valve);
-  valve->decisions.insert(valve->decisions.end(), unused.begin(), unused.end());
+  if (arguments.seed_given && !valve->valve.drawn_chordae)
+    valve->decisions.push_back({"options", "seed not used",
+                                is_mitral(valve->valve)
+                                    ? "the files contain chordae"
+                                    : "a finite element model is taken as it is",
+                                true});
   if (const int failed = write_output(arguments.output, write_valve(valve->valve))) return failed;
   if (!arguments.picture.empty())
     if (const int failed =
             write_output(arguments.picture, import_picture_png(*valve, valve->valve.name)))
       return failed;
   if (arguments.json)
-    std::cout << import_to_json(*valve).dump(2) << '\n';
+    std::cout << json_text(import_to_json(*valve), 2) << '\n';
   else
     tell(valve->decisions);
   const bool looks = std::any_of(valve->decisions.begin(), valve->decisions.end(),
@@ -342,8 +327,7 @@ void add_valve_import(Command parent, int& status) {
   command.on_run([arguments, command, &status] {
     if (command.has("--frame")) arguments->inputs.axes = arguments->axes;
     if (command.has("--units")) arguments->options.units = arguments->units;
-    for (const char* option : {"--seed", "--branches", "--branch-at", "--slack", "--hidden"})
-      if (command.has(option)) arguments->given.emplace_back(option);
+    arguments->seed_given = command.has("--seed");
     if (arguments->closed) arguments->options.closed = true;
     if (command.has("--state")) arguments->options.closed = arguments->state == ImagedState::Closed;
     if (!take_thickness(arguments->thickness, arguments->options)) {

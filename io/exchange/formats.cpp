@@ -73,7 +73,7 @@ Expected<std::string> labels(const ClosedValve& exported, const ValveShape& shap
         ErrorCode::BadReference, "/grid",
         "cannot be used, because the valve is written in its own axes, not in those of the images"};
   const Expected<LabelMap> map =
-      valve_labels(exported, shape, options.grid ? &*options.grid : nullptr);
+      valve_labels(exported, shape, options.grid ? &*options.grid : nullptr, options.cancelled);
   if (!map) return map.errors();
   return Write(*map, shape.doubt);
 }
@@ -91,10 +91,10 @@ constexpr std::array<Format, 11> kFormats = {
       markups},
      {{"csv", "text/csv", "measurements under SlicerHeart's names"}, measurements},
      {{"feb", "application/xml", "a model of the open valve for FEBio 4"}, feb},
-     {{"nrrd", kBytes, "leaflets and annulus as a label map (Slicer segmentation)", true},
+     {{"nrrd", kBytes, "leaflets and annulus as a label map (Slicer segmentation)", true, true},
       labels<write_nrrd>},
-     {{"nii", kBytes, "the same (NIfTI-1)", true}, labels<write_nifti>},
-     {{"nii.gz", "application/gzip", "the same (NIfTI-1, compressed)", true},
+     {{"nii", kBytes, "the same (NIfTI-1)", true, true}, labels<write_nifti>},
+     {{"nii.gz", "application/gzip", "the same (NIfTI-1, compressed)", true, true},
       labels<write_nifti_gz>}}};
 
 Errors check_finite(const ClosedValve& exported, const ExportOptions& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@ struct FileFormat {
   const char* what;        ///< in words
   /// Neither holds nor draws Valve::ties, which a valve imported from it therefore lacks.
   bool loses_ties = false;
+  bool is_label_map = false;  ///< its size is that of ExportOptions::grid
 };
 
 std::span<const FileFormat> file_formats();
@@ -38,6 +40,7 @@ struct ExportOptions {
   bool open = false;  ///< the unstressed shape instead of the closed one; .feb is always unstressed
   ExportFrame frame = ExportFrame::Patient;
   std::optional<ImageGeometry> grid = {};  ///< of label maps; none: about the valve
+  std::function<bool()> cancelled = {};    ///< ends the drawing of a label map, with Busy
 };
 
 /// Errors: a closure that flew apart has no closed shape; of a label map "/grid", a valve that does not lie in it.

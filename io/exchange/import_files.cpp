@@ -142,21 +142,26 @@ class AxesOfFiles {
   /// Whether the numbers of a file are to be turned. Markups say their axes themselves (markups.h).
   bool turned(const NamedFile& file, const std::string& part, bool is_markup = false) {
     const auto stated = is_markup ? PatientAxes::LPS : stated_axes(file.bytes);
-    const bool overruled = given_ && !is_markup;
+    const bool overruled = given_ && !is_markup, of_slicer = format_of(file.name) == "fcsv";
     stated_ = stated_ && (overruled || stated);
-    const PatientAxes axes = overruled ? *given_ : stated.value_or(PatientAxes::LPS);
-    std::string reason = is_markup   ? "stated in the markups"
-                         : overruled ? "as given"
-                         : is_gltf_format(format_of(file.name))
-                             ? "not stated; glTF has axes for display alone, which are taken as LPS"
-                         : stated
-                             ? std::string("stated in their headers as SPACE=") + to_string(*stated)
-                             : "not stated in the files; LPS is the DICOM convention";
-    if (overruled && stated && *stated != *given_)
+    given_is_used_ = given_is_used_ || overruled;
+    const PatientAxes axes =
+        overruled ? *given_ : stated.value_or(of_slicer ? PatientAxes::RAS : PatientAxes::LPS);
+    std::string reason =
+        is_markup   ? "stated in the markups"
+        : overruled ? "as given"
+        : is_gltf_format(format_of(file.name))
+            ? "not stated; glTF has axes for display alone, which are taken as LPS"
+        : stated    ? std::string("stated in their headers as SPACE=") + to_string(*stated)
+        : of_slicer ? "not stated in the file; 3D Slicer's lists of points without a "
+                      "coordinate system are RAS"
+                    : "not stated in the files; LPS is the DICOM convention";
+    const bool contrary = overruled && stated && *stated != *given_;
+    if (contrary)
       reason += std::string(", contrary to their headers, which state SPACE=") + to_string(*stated);
     const char* done = axes == PatientAxes::RAS ? "RAS, converted to LPS" : "LPS";
     if (decisions_.empty() || decisions_.back().reason != reason || done != done_) {
-      decisions_.push_back({"axes", part + ": " + done, reason});
+      decisions_.push_back({"axes", part + ": " + done, reason, contrary, contrary ? 0.5 : 1.0});
       parts_ = part;
     } else {
       parts_ += ", " + part;
@@ -169,13 +174,18 @@ class AxesOfFiles {
   /// Of all files so far.
   bool are_stated() const { return stated_; }
 
-  std::vector<ImportDecision> take() && { return std::move(decisions_); }
+  std::vector<ImportDecision> take() && {
+    if (given_ && !given_is_used_)
+      decisions_.push_back({"options", "frame not used",
+                            "label maps and markups state their axes themselves", true});
+    return std::move(decisions_);
+  }
 
  private:
   std::optional<PatientAxes> given_;
   std::vector<ImportDecision> decisions_;
   std::string parts_, done_;  ///< of the last decision
-  bool stated_ = true;
+  bool stated_ = true, given_is_used_ = false;
 };
 
 void take_labels(const ImportFiles& files, const ImportReading& reading, ImportSource& source,
@@ -202,9 +212,13 @@ void take_labels(const ImportFiles& files, const ImportReading& reading, ImportS
   source.order = std::move(parts->order);
   source.parts = std::move(parts->parts);
   source.sided = std::move(parts->sided);
+  source.witnesses = std::move(parts->witnesses);
   source.axes = map->placed ? SourceAxes::Stated : SourceAxes::Unknown;
   source.unit = LengthUnit::Millimetre;
-  if (!files.annulus) source.annulus_mm = std::move(parts->annulus_mm);
+  if (!files.annulus) {
+    source.annulus_mm = std::move(parts->annulus_mm);
+    source.annulus_band_mm = parts->annulus_band_mm;
+  }
   source.decisions.insert(source.decisions.end(), parts->decisions.begin(), parts->decisions.end());
 }
 
@@ -367,6 +381,13 @@ Expected<ImportSource> read_import_files(const ImportFiles& files, const ImportR
   else if (reading.series)
     problems.add(ErrorCode::MissingField, "/labels",
                  "is missing: the geometry of a series of images applies only to a label map");
+  for (const auto& [file, path] : {std::pair(&files.annulus, "/annulus"),
+                                   {&files.chordae, "/chordae"},
+                                   {&files.tips, "/tips"},
+                                   {&files.landmarks, "/landmarks"}})
+    if (*file && is_in_voxels((*file)->bytes))
+      problems.add(ErrorCode::Unsupported, path,
+                   "is in voxels of an image (CoordinateSystem = IJK); must be in LPS or RAS");
   if (files.annulus) take_annulus(*files.annulus, axes, source, problems);
   if (files.annulus && problems.empty() &&
       std::any_of(files.leaflets.begin(), files.leaflets.end(),

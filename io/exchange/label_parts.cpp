@@ -190,21 +190,40 @@ class LabelChoice {
     return order;
   }
 
+  std::vector<LabelVoxels> voxels_of_leaflets() const {
+    std::vector<LabelVoxels> voxels;
+    for (const ValvePart part : {ValvePart::Anterior, ValvePart::Posterior})
+      for (const LabelCandidate* label : of(part)) voxels.emplace_back(map_, label->label);
+    return voxels;
+  }
+
   std::vector<ImportedTip> sided() const {
     std::vector<ImportedTip> places;
-    for (const LabelCandidate& candidate : all_) {
-      const auto side = side_named(candidate.name);
-      if (!side || std::string_view(candidate.reason) == "as given") continue;
-      const LabelBox box = LabelVoxels(map_, candidate.label).box();
-      const auto middle = [&](std::size_t axis) {
-        return 0.5 * static_cast<double>(box.min[axis] + box.max[axis]);
-      };
-      places.push_back({*side, map_.centre_mm(middle(0), middle(1), middle(2))});
-    }
+    for (const LabelCandidate& candidate : all_)
+      if (const auto side = side_named(candidate.name);
+          side && std::string_view(candidate.reason) != "as given")
+        places.push_back({*side, middle_mm(candidate)});
     return places;
   }
 
+  std::vector<ImportedWitness> witnesses() const {
+    std::vector<ImportedWitness> found;
+    for (const LabelCandidate& candidate : all_)
+      if (const auto side = annulus_side_named(candidate.name); side && !candidate.part)
+        found.push_back({*side, middle_mm(candidate)});
+    return found;
+  }
+
  private:
+  /// Of its box.
+  Vec3 middle_mm(const LabelCandidate& candidate) const {
+    const LabelBox box = LabelVoxels(map_, candidate.label).box();
+    const auto middle = [&](std::size_t axis) {
+      return 0.5 * static_cast<double>(box.min[axis] + box.max[axis]);
+    };
+    return map_.centre_mm(middle(0), middle(1), middle(2));
+  }
+
   /// Labels of tissue; marks of a place are much smaller.
   void take_commissures() {
     const LabelShape posterior = shape_of(map_, *of(ValvePart::Posterior)[0]);
@@ -322,6 +341,7 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
   parts.order = choice.order();
   parts.parts = choice.parts();
   parts.sided = choice.sided();
+  parts.witnesses = choice.witnesses();
   for (const ValvePart part : kValveParts) {
     const auto labels = choice.of(part);
     if (labels.empty()) continue;
@@ -344,6 +364,9 @@ Expected<LabelParts> label_parts(const LabelMap& map, const LabelNumbers& number
     };
     if (part == ValvePart::Annulus) {
       Expected<Points> line = label_curve(whole, labels[0]->label);
+      if (line)
+        parts.annulus_band_mm = band_over_leaflets_mm({whole, labels[0]->label}, *line, map,
+                                                      choice.voxels_of_leaflets());
       line ? void(parts.annulus_mm = *std::move(line)) : take(line.errors());
     } else {
       if (auto doubt = cut_off({whole, labels[0]->label}, words_of(part)))

@@ -29,8 +29,11 @@ struct LabelParts {
       leaflets;  ///< the anterior, then the posterior one, as `order` says; closed, oriented outwards
   LeafletOrder order;
   Points annulus_mm;               ///< empty if there is no such label
+  double annulus_band_mm = 0.0;    ///< ImportSource::annulus_band_mm
   std::vector<SourcePart> parts;   ///< every label
   std::vector<ImportedTip> sided;  ///< middles of labels whose names say their side
+  std::vector<ImportedWitness>
+      witnesses;  ///< of the others, chambers and papillary muscles by name
   std::vector<ImportDecision> decisions;
 };
 

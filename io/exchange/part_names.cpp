@@ -103,6 +103,23 @@ std::optional<Side> side_named(std::string_view name) {
   return {};
 }
 
+std::optional<AnnulusSide> annulus_side_named(std::string_view name) {
+  // An appendage and an outflow tract lie beside the annulus.
+  constexpr std::array<std::string_view, 4> kElsewhere = {"right", "append", "outflow", "sept"};
+  constexpr std::array<std::string_view, 4> kElsewhereWords = {"ra", "rv", "laa", "lvot"};
+  constexpr std::array<std::string_view, 1> kLa = {"la"}, kLv = {"lv"};
+  const NameWords words(name);
+  if (words.has_any(kElsewhereWords) ||
+      std::any_of(kElsewhere.begin(), kElsewhere.end(),
+                  [&](std::string_view part) { return words.has_part(part); }))
+    return {};
+  if (words.has_part("papill") || words.has_part("ventric") || words.has_any(kLv))
+    return AnnulusSide::Ventricle;
+  if (words.has_part("atrium") || words.has_part("atrial") || words.has_any(kLa))
+    return AnnulusSide::Atrium;
+  return {};
+}
+
 bool is_mitral(std::string_view name) {
   const NameWords words(name);
   return words.has_part(kMitral) || words.has_any(kMitralWords);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/valve/valve.h"
+#include "io/mesh/import_valve.h"
 
 namespace coapt {
 
@@ -27,6 +27,9 @@ std::optional<NamedPart> part_named(std::string_view name);
 
 /// The side of the valve that a name says: "A1" and "P3", "anterolateral commissure", "PM papillary tip".
 std::optional<Side> side_named(std::string_view name);
+
+/// The side of the annulus on which what a name says lies: the left atrium; the left ventricle or a papillary muscle.
+std::optional<AnnulusSide> annulus_side_named(std::string_view name);
 
 /// Whether it names the mitral valve.
 bool is_mitral(std::string_view name);

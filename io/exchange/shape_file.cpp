@@ -9,6 +9,7 @@
 
 #include "core/valve/number_text.h"
 #include "core/valve/valve.h"
+#include "io/exchange/stated_axes.h"
 #include "io/json/json_reader.h"
 #include "io/json/parse_json.h"
 #include "io/mesh/vtk.h"
@@ -77,7 +78,7 @@ Expected<LeafletMesh> with_labels(Points vertices_mm, Faces faces,
 }
 
 Expected<LeafletMesh> read_legacy(std::string_view bytes, const ShapeFileOptions& options) {
-  Expected<VtkPolyData> data = read_vtk(bytes);
+  Expected<VtkPolyData> data = read_vtk(bytes, options.limits);
   if (!data) return data.errors();
   if (data->faces.rows() == 0)
     return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
@@ -168,16 +169,21 @@ bool is_shape_format(std::string_view format) {
 
 Expected<LeafletMesh> read_shape(std::string_view bytes, std::string_view format,
                                  const ShapeFileOptions& options) {
+  const MeshLimits& limits = options.limits;
+  const std::size_t most_unpacked = std::min(kMostUnpacked, sizeof(double) * limits.numbers());
   const auto read = [&]() -> Expected<LeafletMesh> {
     if (format == "vtk") return read_legacy(bytes, options);
-    if (format == "vtu") return read_grid(read_vtu(bytes, wanted_arrays(options)), options);
-    if (format == "vtp") return read_grid(read_vtp(bytes, wanted_arrays(options)), options);
-    Expected<TriangleMesh> mesh = read_mesh(bytes, format);
+    if (format == "vtu")
+      return read_grid(read_vtu(bytes, wanted_arrays(options), most_unpacked, limits), options);
+    if (format == "vtp")
+      return read_grid(read_vtp(bytes, wanted_arrays(options), most_unpacked, limits), options);
+    Expected<TriangleMesh> mesh = read_mesh(bytes, format, most_unpacked, limits);
     if (!mesh) return mesh.errors();
     return in_pieces(std::move(mesh->vertices_mm), std::move(mesh->faces));
   };
-  const Expected<LeafletMesh> mesh = read();
+  Expected<LeafletMesh> mesh = read();
   if (!mesh) return mesh.errors();
+  if (stated_axes(bytes) == PatientAxes::RAS) turn_axes(mesh->vertices_mm);
   return without_loose_vertices(*mesh);
 }
 
@@ -186,8 +192,8 @@ bool is_scene_text(std::string_view text) {
   return document && is_scene(*document);
 }
 
-Expected<LeafletMesh> read_scene_shape(std::string_view text) {
-  const Expected<Json> document = parse_json(text);
+Expected<LeafletMesh> read_scene_shape(std::string_view text, const MeshLimits& limits) {
+  const Expected<Json> document = parse_json(text, std::min(kMaxJsonValues, limits.numbers()));
   if (!document) return document.errors();
   if (!is_scene(*document))
     return Error{ErrorCode::Unsupported, "/schema", "must be coapt.scene/2"};

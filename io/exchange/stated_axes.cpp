@@ -12,14 +12,18 @@ constexpr std::size_t kHeadBytes =
 
 namespace {
 
-/// Slicer's "# CoordinateSystem = LPS" (0: RAS, 1: LPS), or columns that are named after the axes.
-std::optional<PatientAxes> axes_of_table(std::string_view head) {
+/// What follows Slicer's "# CoordinateSystem = " (LPS, RAS or IJK, or 0: RAS, 1: LPS, 2: IJK); empty: nothing.
+std::string_view coordinate_system(std::string_view head) {
   constexpr std::string_view kKey = "CoordinateSystem = ";
-  if (const std::size_t at = head.find(kKey); at != std::string_view::npos) {
-    const std::string_view system = head.substr(at + kKey.size(), 3);
-    if (system.starts_with("LPS") || system.starts_with('1')) return PatientAxes::LPS;
-    if (system.starts_with("RAS") || system.starts_with('0')) return PatientAxes::RAS;
-  }
+  const std::size_t at = head.find(kKey);
+  return at == std::string_view::npos ? std::string_view() : head.substr(at + kKey.size(), 3);
+}
+
+/// Of its coordinate system, or columns that are named after the axes.
+std::optional<PatientAxes> axes_of_table(std::string_view head) {
+  const std::string_view system = coordinate_system(head);
+  if (system.starts_with("LPS") || system.starts_with('1')) return PatientAxes::LPS;
+  if (system.starts_with("RAS") || system.starts_with('0')) return PatientAxes::RAS;
   const Expected<CsvTable> table = read_csv(head.substr(0, head.rfind('\n')), {"x"});
   if (!table || table->has("x")) return {};
   if (table->has("r") && table->has("a")) return PatientAxes::RAS;
@@ -37,6 +41,11 @@ std::optional<PatientAxes> stated_axes(std::string_view bytes) {
   const bool ras = head.find("SPACE=RAS") != std::string_view::npos;
   if (lps == ras) return axes_of_table(head);
   return lps ? PatientAxes::LPS : PatientAxes::RAS;
+}
+
+bool is_in_voxels(std::string_view bytes) {
+  const std::string_view system = coordinate_system(bytes.substr(0, kHeadBytes));
+  return system.starts_with("IJK") || system.starts_with('2');
 }
 
 void turn_axes(Vec3& point_mm) { point_mm.head<2>() *= -1.0; }

@@ -16,6 +16,9 @@ const char* to_string(PatientAxes axes);
 /// what .fcsv says, and columns r, a, s or l, p, s. None if it is not there.
 std::optional<PatientAxes> stated_axes(std::string_view bytes);
 
+/// Whether a .fcsv says that its numbers count voxels (IJK, 2), of an image that it does not name.
+bool is_in_voxels(std::string_view bytes);
+
 /// Between RAS and LPS either way: half a turn about z.
 void turn_axes(Points& points_mm);
 void turn_axes(Vec3& point_mm);

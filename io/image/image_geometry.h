@@ -17,6 +17,11 @@ struct ImageGeometry {
   Eigen::Matrix4d to_lps_mm = Eigen::Matrix4d::Identity();  ///< of the centre of voxel (i, j, k, 1)
   bool placed =
       false;  ///< false: only the voxels' size is known (3-D echo without the patient's orientation)
+
+  double voxels() const {
+    return static_cast<double>(size[0]) * static_cast<double>(size[1]) *
+           static_cast<double>(size[2]);
+  }
 };
 
 /// Problems at `path` where a voxel has no volume, or another size than kVoxelMm, or lies beyond 1e5 mm.

@@ -232,10 +232,11 @@ class NrrdReader {
     return kinds.size() == 4 && count == 1 ? found : -1;
   }
 
-  /// By its kind, or as Slicer's sequences say it of a list.
+  /// By its kind, or of a list as Slicer's sequences say it, or because a phase is asked for where no segment names a layer.
   bool is_time(int axis) const {
     const std::string kinds_text = lower(header_.field("kinds"));
     if (words(kinds_text)[static_cast<std::size_t>(axis)] == "time") return true;
+    if (phase_ > 0 && !header_.keys.contains("Segment0_Name")) return true;
     const auto key = header_.keys.find("axis " + std::to_string(axis) + " index type");
     return key != header_.keys.end() && key->second == "time";
   }

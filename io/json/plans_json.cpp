@@ -202,6 +202,7 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"leak", leak_json(ranked)},
                {"estimates", estimates_json(ranked.estimates)},
                {"leak_mm2", statistics_json(region.leak_mm2)},
+               {"ranked_cost", ranked.cost + ranked.durability_price + ranked.fine_cost_change},
                {"cost", ranked.cost},
                {"cost_terms", terms_json(ranked.terms)},
                {"status", to_string(ranked.status)},

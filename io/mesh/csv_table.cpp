@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kMaxRows = 100'000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::array<std::string_view, 6> kFormats = {"csv", "txt", "tsv", "dat", "xyz", "fcsv"};
+constexpr std::string_view kSlicersColumns = "columns =";
 constexpr std::array<std::string_view, 4> kUnitEndings = {"_mm", "_cm", "_in", "_m"};
 
 /// What is between fields; a blank stands for any number of blanks and tabs.
@@ -72,7 +73,6 @@ bool has_all(const std::vector<std::string>& names, std::string_view letters) {
 /// l, p, s will do; a comment has all three axes, and words after two blanks are not of its names.
 std::vector<std::string> names_in(std::string_view line, bool comment,
                                   std::initializer_list<std::string_view> columns) {
-  constexpr std::string_view kSlicersColumns = "columns =";
   if (line.starts_with(kSlicersColumns)) line = trimmed(line.substr(kSlicersColumns.size()));
   if (comment && separator_of(line) != ' ') line = line.substr(0, line.find("  "));
   std::vector<std::string> names;
@@ -151,6 +151,25 @@ void take_unit_of_coordinates(CsvTable& table) {
   }
 }
 
+/// Whether a first field that has no name is the name of its row, as R writes it: a word, or the row's number.
+bool is_row_name(const std::optional<double>& number, std::size_t row) {
+  return !number || *number == static_cast<double>(row) || *number == static_cast<double>(row + 1);
+}
+
+/// Rows end where the names end, but for fields that are not empty; what stands before the first name in every row is the row's name.
+void drop_row_names(CsvTable& table) {
+  const std::size_t columns = table.names.size();
+  if (columns == 0 || table.may_go_on) return;
+  bool all = true;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    auto& fields = table.rows[row].fields;
+    while (fields.size() > columns && fields.back().empty()) fields.pop_back();
+    all = all && fields.size() == columns + 1 && is_row_name(table.number(fields[0]), row);
+  }
+  if (!all) return;
+  for (CsvRow& row : table.rows) row.fields.erase(row.fields.begin());
+}
+
 }  // namespace
 
 bool CsvTable::has(std::string_view column) const {
@@ -201,6 +220,7 @@ Expected<CsvTable> read_csv(std::string_view text,
     if (table.rows.empty()) {
       if (auto names = names_in(content, comment, columns); !names.empty()) {
         table.names = std::move(names);
+        table.may_go_on = content.starts_with(kSlicersColumns);
         table.units = units_in(content);
         take_unit_of_coordinates(table);
         continue;
@@ -223,6 +243,7 @@ Expected<CsvTable> read_csv(std::string_view text,
     if (table.rows.size() > kMaxRows)
       return Error{ErrorCode::OutOfRange, "", "has more than the 100,000 rows accepted"};
   }
+  drop_row_names(table);
   return table;
 }
 

@@ -26,6 +26,7 @@ struct CsvTable {
   /// The first that a coordinate states and that is no unit of length ("px"), nor axes or a number; else empty.
   std::string no_unit;
   bool decimal_commas = false;  ///< "1,5" is a number
+  bool may_go_on = false;  ///< rows may have more fields than names, as Slicer 5 writes its lists
 
   bool has(std::string_view column) const;
   std::optional<double> number(std::string_view field) const;
@@ -38,8 +39,8 @@ bool is_table_format(std::string_view format);
 std::string plain_name(std::string_view name);
 
 /// The names are those of the last line before the first row, comment or not, that has one of
-/// `columns` as a field or, where x is one, the axes r, a, s or l, p, s. Comments begin with #, % or //. Numbers may have decimal commas where fields are between something else. At
-/// most 100,000 rows. Unsupported: UTF-16.
+/// `columns` as a field or, where x is one, the axes r, a, s or l, p, s. Comments begin with #, % or //. Numbers may have decimal commas where fields are between something else. A
+/// first field of every row that has no name is a row's name, and left out. At most 100,000 rows. Unsupported: UTF-16.
 Expected<CsvTable> read_csv(std::string_view text, std::initializer_list<std::string_view> columns);
 
 }  // namespace coapt

@@ -36,7 +36,8 @@ struct PlacedNode {
 
 class GltfReader {
  public:
-  GltfReader(Json document, std::string_view binary) : file_(std::move(document), binary) {}
+  GltfReader(Json document, std::string_view binary, const MeshLimits& limits)
+      : file_(std::move(document), binary), builder_(limits) {}
 
   Expected<GroupedMesh> read() {
     check_extensions();
@@ -270,10 +271,10 @@ std::string without_escapes(const std::string& uri) {
 
 }  // namespace
 
-Expected<GroupedMesh> read_gltf(std::string_view bytes) {
+Expected<GroupedMesh> read_gltf(std::string_view bytes, const MeshLimits& limits) {
   Expected<ReadGltf> file = parsed(bytes);
   if (!file) return file.errors();
-  return GltfReader(std::move(file->document), file->binary).read();
+  return GltfReader(std::move(file->document), file->binary, limits).read();
 }
 
 Expected<std::optional<std::string>> gltf_buffer_file(std::string_view bytes) {

@@ -19,7 +19,7 @@ inline bool is_gltf_format(std::string_view format) { return format == "glb" || 
 
 /// In the file's lengths, metres by the specification. Errors: compressed meshes (Draco, meshopt), sparse arrays, skins, what lies outside of
 /// its buffer, pointers into the document.
-Expected<GroupedMesh> read_gltf(std::string_view bytes);
+Expected<GroupedMesh> read_gltf(std::string_view bytes, const MeshLimits& limits = {});
 
 /// The file beside a .gltf that its buffer is in; none: it is inside. Errors without a path: several files, or one in another folder.
 Expected<std::optional<std::string>> gltf_buffer_file(std::string_view bytes);

@@ -11,7 +11,7 @@
 namespace coapt {
 namespace {
 
-constexpr const char* kSubject = "frame";
+constexpr const char *kSubject = "frame", *kUnseen = "a mirror image cannot be detected";
 constexpr double kLeastApart_mm = 3.0;  // of named sides, along the line of the commissures
 // Turned by up to this from where hearts usually lie. Of axes that mean nothing 1 % are within 35 degrees of any one orientation.
 constexpr double kUsual_deg = 50.0, kMirrored_deg = 35.0;
@@ -63,6 +63,9 @@ Expected<ImportDecision> judged_handedness(const ImportSource& source, const Pat
                  "anterolateral side (A1, P1) lie on the posteromedial side; otherwise the names "
                  "of the sides are interchanged"};
   }
+  constexpr const char* kNoSign =
+      "there are no papillary tips or parts named after a side (A1, P3); --mirrored mirrors all "
+      "files";
   if (source.axes == SourceAxes::Stated) {
     const Eigen::Matrix3d usual = usual_axes();
     const double off = degrees_between(frame.axes, usual);
@@ -81,13 +84,17 @@ Expected<ImportDecision> judged_handedness(const ImportSource& source, const Pat
           "its orientation in the stated patient axes is that of a mirrored heart, within " +
               significant(mirrored, 2) + " degrees; --mirrored mirrors all files",
           true, 0.3};
+    return ImportDecision{kSubject, kUnseen,
+                          "it lies " + significant(off, 3) +
+                              " degrees from how a heart usually lies in the stated axes, and " +
+                              kNoSign,
+                          true, 0.5};
   }
-  const bool unstated = source.axes == SourceAxes::Unknown;
-  return ImportDecision{kSubject, "a mirror image cannot be detected",
-                        std::string(unstated ? "the label map does not state its axes, and " : "") +
-                            "there are no papillary tips or parts named after a side (A1, P3); "
-                            "--mirrored mirrors all files",
-                        unstated, 0.5};
+  if (source.axes == SourceAxes::Unknown)
+    return ImportDecision{kSubject, kUnseen,
+                          std::string("the label map does not state its axes, and ") + kNoSign,
+                          true, 0.5};
+  return ImportDecision{kSubject, kUnseen, kNoSign, false, 0.5};
 }
 
 }  // namespace coapt

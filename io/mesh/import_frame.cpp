@@ -18,6 +18,7 @@ namespace coapt {
 namespace {
 
 constexpr double kLeastSaddle_mm = 0.5;  // half its height, of annuli that orient a closed valve
+constexpr double kLeastNamed_mm = 3.0;   // to the side of the annulus, of chambers and muscles
 constexpr Eigen::Index kMinAnnulus = 12;
 constexpr std::size_t kMaxChordae = 2000;
 constexpr Range kTipDepthMm = {3.0, 100.0};
@@ -187,6 +188,17 @@ double saddle_towards(const Vec3& z, const Vec3& x, const Points& centred) {
   return 2.0 * (height.array() * cosine).mean();
 }
 
+/// How far what is named as of the atrium lies to the side of z, and as of the ventricle to the other one, in the mean; 0 where that
+/// tells no side.
+double named_towards(const Vec3& z, const Vec3& origin,
+                     const std::vector<ImportedWitness>& witnesses) {
+  double sum = 0.0;
+  for (const ImportedWitness& witness : witnesses)
+    sum += (witness.side == AnnulusSide::Atrium ? 1.0 : -1.0) * z.dot(witness.position_mm - origin);
+  const double mean = sum / std::max(1.0, static_cast<double>(witnesses.size()));
+  return std::abs(mean) < kLeastNamed_mm ? 0.0 : mean;
+}
+
 Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
                            const FrameOptions& options) {
   const bool closed = options.closed;
@@ -205,11 +217,12 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
     if (!(x.norm() > 1.0))
       return Error{ErrorCode::BadGeometry, "/leaflets",
                    "coincide; an anterior and a posterior sheet are needed to orient the valve"};
-    const double saddle_mm = saddle_towards(z, x.normalized(), centred);
-    const bool saddle_tells = std::abs(saddle_mm) > kLeastSaddle_mm;
-    // Closed leaflets hang below the annulus or billow above it; of open ones the saddle is asked where they hardly hang.
+    const double saddle_mm = saddle_towards(z, x.normalized(), centred),
+                 named_mm = named_towards(z, origin, source.witnesses);
+    const bool saddle_tells = std::abs(saddle_mm) > kLeastSaddle_mm, names_tell = named_mm != 0.0;
+    // Closed leaflets hang below the annulus or billow above it; of open ones others are asked where they hardly hang.
     const bool hanging_tells = !closed && hanging_mm >= kLeastHanging_mm;
-    if (!hanging_tells && !saddle_tells)
+    if (!hanging_tells && !saddle_tells && !names_tell)
       return Error{
           ErrorCode::MissingField, "/tips",
           "is missing: " +
@@ -217,24 +230,37 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
                                  : "with leaflets that hang " + significant(hanging_mm, 2) +
                                        " mm on average below such a flat annulus") +
               " only papillary tips can distinguish the atrium from the ventricle"};
+    const double towards = hanging_tells ? 1.0 : names_tell ? named_mm : saddle_mm;
     const bool agree = saddle_mm > 0.0 || !saddle_tells;
-    if (!hanging_tells && saddle_mm < 0.0) {
+    const bool named_elsewhere = towards * named_mm < 0.0,
+               saddle_elsewhere = names_tell && saddle_tells && towards * saddle_mm < 0.0;
+    if (towards < 0.0) {
       z = -z;
       x = -x;
     }
     frame.atrium = {
         "atrium",
-        std::string("on the side that ") +
-            (hanging_tells ? "the leaflets hang away from" : "the annulus's saddle rises to"),
+        std::string("on the side that ") + (hanging_tells ? "the leaflets hang away from"
+                                            : names_tell
+                                                ? "labels of chambers or papillary muscles say"
+                                                : "the annulus's saddle rises to"),
         "they hang " + significant(hanging_mm, 2) + " mm on average, and the saddle rises " +
             significant(2.0 * std::abs(saddle_mm), 2) + " mm" +
-            (agree ? (saddle_tells ? " to the same side" : "") : " to the other side"),
-        !agree && (hanging_tells || hanging_mm >= kLeastHanging_mm), agree ? 1.0 : 0.7};
+            (agree ? (saddle_tells ? " to the same side" : "") : " to the other side") +
+            (hanging_tells && names_tell
+                 ? std::string("; labels of chambers or papillary muscles say ") +
+                       (named_elsewhere ? "the other side" : "this side, too")
+                 : ""),
+        named_elsewhere || saddle_elsewhere ||
+            (!agree && (hanging_tells || hanging_mm >= kLeastHanging_mm)),
+        agree && !named_elsewhere ? 1.0 : 0.7};
     if (options.flip) {
       z = -z;
       x = -x;
+      const bool contrary = (hanging_tells && saddle_tells && agree && !named_elsewhere) ||
+                            (names_tell && !named_elsewhere);
       frame.atrium = {"atrium", "opposite to the side suggested by the shape, as given",
-                      frame.atrium.reason};
+                      frame.atrium.reason, contrary, contrary ? 0.5 : 1.0};
     }
   } else {
     if (options.flip)
@@ -255,6 +281,9 @@ Expected<Frame> find_frame(const Points& annulus, const ImportSource& source,
           "atrium", "on the side opposite to the papillary tips",
           "the leaflets hang " + significant(-hanging_mm, 2) + " mm to the other side on average",
           true, 0.6};
+    else if (named_towards(z, origin, source.witnesses) < 0.0)
+      frame.atrium = {"atrium", "on the side opposite to the papillary tips",
+                      "labels of chambers or papillary muscles say the other side", true, 0.6};
   }
   frame.axes << x.normalized(), z.cross(x.normalized()), z;
   return frame;
@@ -308,6 +337,7 @@ Expected<FramedSource> into_import_frame(const ImportSource& source, const Frame
                      "check the units and the origin"};
   FramedSource framed;
   framed.annulus_mm = frame->into(loop);
+  framed.annulus_band_mm = source.annulus_band_mm;
   if (source.pressed_annulus_mm.rows() > 0)
     framed.pressed_annulus_mm = frame->into(Points(source.pressed_annulus_mm(kept, Eigen::all)));
   double area = 0.0;

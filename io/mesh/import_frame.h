@@ -14,7 +14,8 @@ struct FramedSource {
   std::vector<TriangleMesh> leaflets;
   Points
       annulus_mm;  ///< counter-clockwise seen from the atrium, no point twice, star-shaped about z
-  Points pressed_annulus_mm;  ///< point by point as annulus_mm, or empty
+  Points pressed_annulus_mm;     ///< point by point as annulus_mm, or empty
+  double annulus_band_mm = 0.0;  ///< ImportSource::annulus_band_mm
   std::vector<ImportedChorda> chordae;
   std::vector<ImportedTip> tips;
   std::vector<ImportedTie> ties;

@@ -85,18 +85,19 @@ struct RowReader {
   }
 };
 
-/// A reader of row `i`; none, and a problem, if it has too few fields.
+/// A reader of row `i`; none, and a problem, if it has too few fields or too many.
 std::optional<RowReader> reader(const CsvTable& table, const std::vector<std::string>& names,
                                 std::size_t i, const std::string& path, ProblemList& problems) {
   RowReader row{table, table.rows[i], {}, path + '/' + std::to_string(i), problems};
   for (std::size_t column = 0; column < names.size(); ++column) {
     row.columns.try_emplace(names[column], column);
   }
-  if (row.row.fields.size() >= names.size()) return row;
+  const std::size_t fields = row.row.fields.size();
+  const bool may_go_on = table.names.empty() || table.may_go_on;
+  if (fields == names.size() || (fields > names.size() && may_go_on)) return row;
   problems.add(ErrorCode::MissingField, row.path,
-               "line " + std::to_string(row.row.line) + ": has " +
-                   std::to_string(row.row.fields.size()) + " fields, must have " +
-                   std::to_string(names.size()));
+               "line " + std::to_string(row.row.line) + ": has " + std::to_string(fields) +
+                   " fields, must have " + std::to_string(names.size()));
   return {};
 }
 

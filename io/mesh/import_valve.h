@@ -49,6 +49,13 @@ struct ImportedTip {
   Vec3 position_mm = Vec3::Zero();
 };
 
+/// What lies on a side of the annulus that its name says: a chamber of the left heart or a papillary muscle.
+enum class AnnulusSide { Atrium, Ventricle };
+struct ImportedWitness {
+  AnnulusSide side = AnnulusSide::Atrium;
+  Vec3 position_mm = Vec3::Zero();  ///< its middle
+};
+
 /// A tie of an edge-to-edge repair, as long as the leaflets are thick.
 struct ImportedTie {
   std::string id;  ///< unique
@@ -117,10 +124,13 @@ struct ImportSource {
   std::vector<SourcePart> parts = {};  ///< of labels or parts of a file, what they are said to be
   Points annulus_mm;                   ///< closed loop, n x 3, either direction; empty: found
   Points pressed_annulus_mm;  ///< where its points are under pressure, n x 3; empty: where they are
+  /// Half the width of the label that the annulus is the middle line of, where the leaflets begin at that label's rim; else 0.
+  double annulus_band_mm = 0.0;
   std::vector<ImportedChorda> chordae;
-  std::vector<ImportedTip> tips;        ///< taken only where chordae are drawn
-  std::vector<ImportedTie> ties = {};   ///< of leaflets that hang open
-  std::vector<ImportedTip> sided = {};  ///< middles of parts whose names say their side
+  std::vector<ImportedTip> tips;                ///< taken only where chordae are drawn
+  std::vector<ImportedTie> ties = {};           ///< of leaflets that hang open
+  std::vector<ImportedTip> sided = {};          ///< middles of parts whose names say their side
+  std::vector<ImportedWitness> witnesses = {};  ///< labels that are no part of the valve
   SourceAxes axes = SourceAxes::Assumed;
   GivenLandmarks landmarks = {};
   std::vector<ImportDecision> decisions;  ///< that reading it took, before those of the import

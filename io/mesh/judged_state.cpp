@@ -11,6 +11,17 @@
 namespace coapt {
 namespace {
 
+// In the mean over a leaflet, by which segmentations of 1 mm voxels measure 2 mm. Assumed.
+constexpr Range kUsualThicknessMm = {0.5, 4.0};
+
+/// Why a thickness is to be looked at, with a semicolon before it; empty: it is usual.
+std::string doubt_of(double thickness_mm) {
+  if (thickness_mm >= kUsualThicknessMm.min && thickness_mm <= kUsualThicknessMm.max) return "";
+  return "; " + significant(thickness_mm, 2) + " mm is unusual, leaflets are " +
+         significant(kUsualThicknessMm.min, 2) + " to " + significant(kUsualThicknessMm.max, 2) +
+         " mm thick";
+}
+
 /// Whether what is looked at is there; into_import_frame() names what is not.
 bool can_be_judged(const ImportSource& source) {
   return source.annulus_mm.rows() >= 3 &&
@@ -63,18 +74,24 @@ Expected<double> tissue_thickness(const ImportOptions& options,
                                   const std::vector<MeasuredThickness>& measured, double own_mm,
                                   std::vector<ImportDecision>& decisions) {
   double mean_mm = 0.0;
-  for (const MeasuredThickness& of : measured)
+  std::string doubt;
+  for (const MeasuredThickness& of : measured) {
     mean_mm += of.mean_mm / static_cast<double>(measured.size());
+    if (doubt.empty()) doubt = doubt_of(of.mean_mm);
+  }
   if (options.thickness_measured) {
     if (measured.empty())
       return Error{
           ErrorCode::MissingField, "/thickness_measured",
           "requires thick leaflets; these are sheets, so specify a thickness in millimetres"};
-    decisions.push_back({"thickness", significant(mean_mm, 2) + " mm", "as measured", true});
+    decisions.push_back(
+        {"thickness", significant(mean_mm, 2) + " mm", "as measured" + doubt, true});
     return mean_mm;
   }
   if (options.thickness_mm) {
-    decisions.push_back({"thickness", significant(*options.thickness_mm, 3) + " mm", "as given"});
+    doubt = doubt_of(*options.thickness_mm);
+    decisions.push_back({"thickness", significant(*options.thickness_mm, 3) + " mm",
+                         "as given" + doubt, !doubt.empty()});
     return *options.thickness_mm;
   }
   if (!measured.empty())
@@ -82,7 +99,9 @@ Expected<double> tissue_thickness(const ImportOptions& options,
                          "the tissue thickness remains " + significant(own_mm, 2) +
                              " mm; the shells measure " + significant(mean_mm, 2) + " mm",
                          "segmentation thickens leaflets by about a voxel (--thickness measured "
-                         "uses the measured value)"});
+                         "uses the measured value)" +
+                             doubt,
+                         !doubt.empty()});
   return own_mm;
 }
 

@@ -5,9 +5,6 @@
 namespace coapt {
 namespace {
 
-// A segmented leaflet has thousands; these keep a hostile file within some hundred megabytes.
-constexpr std::size_t kMaxVertices = 2'000'000;
-constexpr std::size_t kMaxFaces = 4'000'000;
 constexpr std::size_t kMaxCorners = 1000;
 
 std::string at_line(int line) {
@@ -32,9 +29,9 @@ void MeshBuilder::add_vertex(const Vec3& position_mm, int line) {
       !(position_mm.array() <= kMeshCoordinateMm.max).all())
     wild_.push_back({vertices_.size(), line});
   vertices_.push_back(position_mm);
-  if (vertices_.size() == kMaxVertices + 1) {
+  if (vertices_.size() == limits_.vertices + 1) {
     add_problem(ErrorCode::OutOfRange, "/vertices_mm", line,
-                "has more than the 2,000,000 vertices accepted");
+                "has more than the " + std::to_string(limits_.vertices) + " vertices accepted");
   }
 }
 
@@ -62,14 +59,14 @@ void MeshBuilder::add_polygon(const std::vector<long long>& corners, int line, i
   for (std::size_t i = 2; i < corners.size(); ++i) {
     faces_.push_back({{corners[0], corners[i - 1], corners[i]}, line, polygon});
   }
-  if (faces_.size() > kMaxFaces) {
+  if (faces_.size() > limits_.faces) {
     add_problem(ErrorCode::OutOfRange, "/faces", line,
-                "has more than the 4,000,000 triangles accepted");
+                "has more than the " + std::to_string(limits_.faces) + " triangles accepted");
   }
 }
 
 bool MeshBuilder::full() const {
-  return vertices_.size() > kMaxVertices || faces_.size() > kMaxFaces ||
+  return vertices_.size() > limits_.vertices || faces_.size() > limits_.faces ||
          problems_.listed().size() >= ProblemList::kMaxListed;
 }
 

@@ -16,6 +16,8 @@ inline constexpr Range kMeshCoordinateMm = {-1e5, 1e5};
 
 class MeshBuilder {
  public:
+  explicit MeshBuilder(const MeshLimits& limits = {}) : limits_(limits) {}
+
   /// Coordinates out of kMeshCoordinateMm are a problem where a triangle has them. @param line of the file, 0 if it is binary.
   void add_vertex(const Vec3& position_mm, int line);
 
@@ -51,6 +53,7 @@ class MeshBuilder {
   };
   void add_wild(const Wild& wild);
 
+  const MeshLimits limits_;
   std::vector<Vec3> vertices_;
   std::vector<Wild> wild_;
   std::vector<Triangle> faces_;

@@ -32,17 +32,17 @@ TriangleMesh joined(const std::vector<TriangleMesh>& meshes) {
 }
 
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format,
-                                 std::size_t most_unpacked) {
-  if (format == "obj") return read_obj(bytes);
+                                 std::size_t most_unpacked, const MeshLimits& limits) {
+  if (format == "obj") return read_obj(bytes, limits);
   if (format == "ply") {
-    Expected<PlyFile> file = read_ply_file(bytes);
+    Expected<PlyFile> file = read_ply_file(bytes, limits);
     if (!file) return file.errors();
     add_names(file->face_numbers, file->mesh.arrays);
     return std::move(file->mesh);
   }
-  if (format == "stl") return read_stl(bytes);
+  if (format == "stl") return read_stl(bytes, limits);
   if (format == "vtk") {
-    Expected<VtkPolyData> data = read_vtk(bytes);
+    Expected<VtkPolyData> data = read_vtk(bytes, limits);
     if (!data) return data.errors();
     if (data->faces.rows() == 0)
       return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};
@@ -51,15 +51,15 @@ Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format
     return mesh;
   }
   if (format == "vtp" || format == "vtu") {
-    Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes, no_array, most_unpacked)
-                                             : read_vtu(bytes, no_array, most_unpacked);
+    Expected<VtuGrid> grid = format == "vtp" ? read_vtp(bytes, no_array, most_unpacked, limits)
+                                             : read_vtu(bytes, no_array, most_unpacked, limits);
     if (!grid) return grid.errors();
     add_names(grid->cell_data, grid->mesh.arrays);
     add_names(grid->point_data, grid->mesh.arrays);
     return std::move(grid->mesh);
   }
   if (is_gltf_format(format)) {
-    Expected<GroupedMesh> file = read_gltf(bytes);
+    Expected<GroupedMesh> file = read_gltf(bytes, limits);
     if (!file) return file.errors();
     if (file->mesh.faces.rows() == 0)
       return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};

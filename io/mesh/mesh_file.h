@@ -23,6 +23,15 @@ struct TriangleMesh {
   LeftOver arrays{};            ///< of its points, polygons or cells
 };
 
+/// What a mesh may have at most, its polygons counted as the triangles that they are split into. A segmented leaflet has thousands; the
+/// usual limits keep a hostile file within some hundred megabytes.
+struct MeshLimits {
+  std::size_t vertices = 2'000'000, faces = 4'000'000;
+
+  /// More than any file of such a mesh has: places and displacements, corners and labels of cells.
+  std::size_t numbers() const { return 6 * (vertices + faces); }
+};
+
 /// One after the other; `polygons` and `arrays` are left out.
 TriangleMesh joined(const std::vector<TriangleMesh>& meshes);
 
@@ -33,6 +42,7 @@ inline constexpr std::size_t kMostUnpackedSent = std::size_t{8} << 20;
 
 /// @param format "obj", "ply", "stl", "glb", "gltf", "vtk", "vtp" or "vtu". Polygons are split into fans; STL vertices are welded.
 Expected<TriangleMesh> read_mesh(std::string_view bytes, std::string_view format,
-                                 std::size_t most_unpacked = kMostUnpackedSent);
+                                 std::size_t most_unpacked = kMostUnpackedSent,
+                                 const MeshLimits& limits = {});
 
 }  // namespace coapt

@@ -3,6 +3,7 @@
 
 #include "io/mesh/obj.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -50,13 +51,15 @@ constexpr std::array kGroupings = {"objects", "groups", "materials"};
 
 class ObjReader {
  public:
+  explicit ObjReader(const MeshLimits& limits) : limits_(limits), mesh_(limits) {}
+
   Expected<GroupedMesh> read(std::string_view text) {
     if (constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
         text.starts_with(kByteOrderMark))
       text.remove_prefix(kByteOrderMark.size());  // or the first vertex would be passed over
     LineScanner lines(text);
     while (const auto line = lines.next()) {
-      if (mesh_.full()) break;
+      if (mesh_.full() || is_crowded(line->number)) break;
       const auto tokens = words(line->text);
       if (tokens.empty()) continue;
       if (tokens[0] == "v") add_vertex(tokens, line->number, mesh_);
@@ -71,6 +74,14 @@ class ObjReader {
   }
 
  private:
+  bool is_crowded(int number) {
+    if (std::max(lines_.size(), names_.size()) <= limits_.faces) return false;
+    mesh_.add_problem(
+        ErrorCode::OutOfRange, "", number,
+        "has more than the " + std::to_string(limits_.faces) + " lines or names accepted");
+    return true;
+  }
+
   void add_face(const std::vector<std::string_view>& tokens, int number) {
     const std::string path = "/faces/" + std::to_string(mesh_.faces());
     const auto corners = corners_of(tokens, number, path, mesh_);
@@ -124,6 +135,7 @@ class ObjReader {
     return std::move(file_);
   }
 
+  const MeshLimits limits_;
   MeshBuilder mesh_;
   GroupedMesh file_;
   Under under_{};
@@ -134,10 +146,12 @@ class ObjReader {
 
 }  // namespace
 
-Expected<GroupedMesh> read_obj_file(std::string_view text) { return ObjReader().read(text); }
+Expected<GroupedMesh> read_obj_file(std::string_view text, const MeshLimits& limits) {
+  return ObjReader(limits).read(text);
+}
 
-Expected<TriangleMesh> read_obj(std::string_view text) {
-  Expected<GroupedMesh> file = read_obj_file(text);
+Expected<TriangleMesh> read_obj(std::string_view text, const MeshLimits& limits) {
+  Expected<GroupedMesh> file = read_obj_file(text, limits);
   if (!file) return file.errors();
   if (file->mesh.faces.rows() == 0)
     return Error{ErrorCode::MissingField, "/faces", "is empty; a leaflet needs triangles"};

@@ -6,10 +6,10 @@
 
 namespace coapt {
 
-/// Grouped by the first of objects, groups and materials that differ.
-Expected<GroupedMesh> read_obj_file(std::string_view text);
+/// Grouped by the first of objects, groups and materials that differ. It may have as many lines and names as triangles.
+Expected<GroupedMesh> read_obj_file(std::string_view text, const MeshLimits& limits = {});
 
 /// Its faces alone.
-Expected<TriangleMesh> read_obj(std::string_view text);
+Expected<TriangleMesh> read_obj(std::string_view text, const MeshLimits& limits = {});
 
 }  // namespace coapt

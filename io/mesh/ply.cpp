@@ -237,8 +237,8 @@ void read_body(const Header& header, Values values, MeshBuilder& mesh,
 
 }  // namespace
 
-Expected<PlyFile> read_ply_file(std::string_view bytes) {
-  MeshBuilder mesh;
+Expected<PlyFile> read_ply_file(std::string_view bytes, const MeshLimits& limits) {
+  MeshBuilder mesh(limits);
   std::vector<PlyNumbers> face_numbers;
   LineScanner lines(bytes);
   const auto first = lines.next();
@@ -265,12 +265,6 @@ Expected<PlyFile> read_ply_file(std::string_view bytes) {
     }
   }
   return Error{ErrorCode::InputOutput, "", "is truncated: no end_header"};
-}
-
-Expected<TriangleMesh> read_ply(std::string_view bytes) {
-  Expected<PlyFile> file = read_ply_file(bytes);
-  if (!file) return file.errors();
-  return std::move(file->mesh);
 }
 
 }  // namespace coapt

@@ -19,7 +19,6 @@ struct PlyFile {
   std::vector<PlyNumbers> face_numbers;
 };
 
-Expected<PlyFile> read_ply_file(std::string_view bytes);
-Expected<TriangleMesh> read_ply(std::string_view bytes);
+Expected<PlyFile> read_ply_file(std::string_view bytes, const MeshLimits& limits = {});
 
 }  // namespace coapt

@@ -168,8 +168,10 @@ void stretch(ImportSource& source, const Vec3& factors) {
   for (TriangleMesh& mesh : source.leaflets) points(mesh.vertices_mm);
   points(source.annulus_mm);
   points(source.pressed_annulus_mm);
+  source.annulus_band_mm *= std::abs(factors.z());
   for (ImportedTip& tip : source.tips) stretch(tip.position_mm, factors);
   for (ImportedTip& place : source.sided) stretch(place.position_mm, factors);
+  for (ImportedWitness& place : source.witnesses) stretch(place.position_mm, factors);
   for (ImportedTie& tie : source.ties) {
     stretch(tie.anterior_mm, factors);
     stretch(tie.posterior_mm, factors);

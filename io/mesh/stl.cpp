@@ -110,8 +110,8 @@ void read_ascii(std::string_view text, MeshBuilder& mesh, StlFile& file) {
 
 }  // namespace
 
-Expected<StlFile> read_stl_file(std::string_view bytes) {
-  MeshBuilder mesh;
+Expected<StlFile> read_stl_file(std::string_view bytes, const MeshLimits& limits) {
+  MeshBuilder mesh(limits);
   StlFile file;
   const bool has_header = bytes.size() >= kHeaderBytes + sizeof(std::uint32_t);
   const bool exact = has_header && bytes.size() == kHeaderBytes + sizeof(std::uint32_t) +
@@ -130,8 +130,8 @@ Expected<StlFile> read_stl_file(std::string_view bytes) {
   return file;
 }
 
-Expected<TriangleMesh> read_stl(std::string_view bytes) {
-  Expected<StlFile> file = read_stl_file(bytes);
+Expected<TriangleMesh> read_stl(std::string_view bytes, const MeshLimits& limits) {
+  Expected<StlFile> file = read_stl_file(bytes, limits);
   if (!file) return file.errors();
   return std::move(file->mesh);
 }

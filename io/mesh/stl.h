@@ -14,9 +14,9 @@ struct StlFile {
   std::vector<int> solid_of_polygon;  ///< by TriangleMesh::polygons; of a text file
 };
 
-Expected<StlFile> read_stl_file(std::string_view bytes);
+Expected<StlFile> read_stl_file(std::string_view bytes, const MeshLimits& limits = {});
 
 /// All of its solids together.
-Expected<TriangleMesh> read_stl(std::string_view bytes);
+Expected<TriangleMesh> read_stl(std::string_view bytes, const MeshLimits& limits = {});
 
 }  // namespace coapt

@@ -2,6 +2,7 @@
 // METADATA, which ends at an empty line, needs to know lines.
 #include "io/mesh/vtk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -12,14 +13,17 @@
 namespace coapt {
 namespace {
 
-constexpr long long kMaxNumbers = 20'000'000;  // of a section
+constexpr std::size_t kMaxNumbers = 20'000'000;  // of a section
 constexpr std::size_t kMaxLines = 100'000;
 
 enum class Data { None, Points, Cells };
 
 class VtkReader {
  public:
-  explicit VtkReader(std::string_view text) : words_(text) {}
+  VtkReader(std::string_view text, const MeshLimits& limits)
+      : words_(text),
+        mesh_(limits),
+        most_(static_cast<long long>(std::min(kMaxNumbers, limits.numbers()))) {}
 
   Expected<VtkPolyData> read() {
     if (header()) {
@@ -68,8 +72,8 @@ class VtkReader {
 
   long long count(const char* path) {
     const auto number = to_integer(words_.next());
-    if (number && *number >= 0 && *number <= kMaxNumbers) return *number;
-    fail(ErrorCode::WrongType, path, "must be a count, 0 to 20000000");
+    if (number && *number >= 0 && *number <= most_) return *number;
+    fail(ErrorCode::WrongType, path, "must be a count, 0 to " + std::to_string(most_));
     return 0;
   }
 
@@ -345,6 +349,7 @@ class VtkReader {
 
   VtkWords words_;
   MeshBuilder mesh_;
+  const long long most_;  ///< numbers of a section
   VtkPolyData data_;
   std::vector<std::size_t> cell_of_line_;
   std::size_t other_cells_ = 0;  ///< before the next section of cells
@@ -360,6 +365,8 @@ class VtkReader {
 
 }  // namespace
 
-Expected<VtkPolyData> read_vtk(std::string_view text) { return VtkReader(text).read(); }
+Expected<VtkPolyData> read_vtk(std::string_view text, const MeshLimits& limits) {
+  return VtkReader(text, limits).read();
+}
 
 }  // namespace coapt

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/valve/types.h"
+#include "io/mesh/mesh_file.h"
 
 namespace coapt {
 
@@ -38,6 +38,6 @@ inline constexpr const char* kPatientVtkTitle =
 /// lines and faces are kept. Errors name the line. ASCII or binary. Of an unstructured grid
 /// the same cells. Unsupported: other datasets, cells with a volume, text
 /// among the data of a binary file.
-Expected<VtkPolyData> read_vtk(std::string_view text);
+Expected<VtkPolyData> read_vtk(std::string_view text, const MeshLimits& limits = {});
 
 }  // namespace coapt

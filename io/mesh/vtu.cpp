@@ -87,16 +87,18 @@ void add_cell(int type, const std::vector<long long>& corners, MeshBuilder& mesh
 
 class VtuReader {
  public:
-  VtuReader(const VtkXml& file, bool is_grid, WantedArrays wanted, std::size_t most_unpacked)
+  VtuReader(const VtkXml& file, bool is_grid, WantedArrays wanted, std::size_t most_unpacked,
+            const MeshLimits& limits = {})
       : file_(file),
         sections_(sections_of(file)),
         wanted_(std::move(wanted)),
         budget_{most_unpacked},
+        limits_(limits),
         is_grid_(is_grid) {}
 
   Expected<VtuGrid> read() {
     if (const auto wrong = wrong_pieces()) return *wrong;
-    MeshBuilder mesh;
+    MeshBuilder mesh(limits_);
     const std::vector<const XmlElement*>& points = sections_.arrays["Points"];
     add_points(numbers(points.empty() ? nullptr : points.front(), "/vertices_mm"), mesh);
     if (is_grid_)
@@ -255,6 +257,7 @@ class VtuReader {
   Errors errors_;
   WantedArrays wanted_;
   UnpackBudget budget_;
+  const MeshLimits limits_;
   std::size_t cells_ = 0;
   bool is_grid_;
 };
@@ -262,17 +265,17 @@ class VtuReader {
 }  // namespace
 
 Expected<VtuGrid> read_vtu(std::string_view bytes, const WantedArrays& wanted,
-                           std::size_t most_unpacked) {
+                           std::size_t most_unpacked, const MeshLimits& limits) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "UnstructuredGrid");
   if (!file) return file.errors();
-  return VtuReader(*file, true, wanted, most_unpacked).read();
+  return VtuReader(*file, true, wanted, most_unpacked, limits).read();
 }
 
 Expected<VtuGrid> read_vtp(std::string_view bytes, const WantedArrays& wanted,
-                           std::size_t most_unpacked) {
+                           std::size_t most_unpacked, const MeshLimits& limits) {
   const Expected<VtkXml> file = read_vtk_xml(bytes, "PolyData");
   if (!file) return file.errors();
-  return VtuReader(*file, false, wanted, most_unpacked).read();
+  return VtuReader(*file, false, wanted, most_unpacked, limits).read();
 }
 
 Expected<VtpLines> read_vtp_lines(std::string_view bytes, std::size_t most_unpacked) {

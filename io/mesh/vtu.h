@@ -34,11 +34,13 @@ struct VtuGrid {
 /// quadrangles, pixels, polygons and strips; points and lines (chordae) are passed over. Unsupported: cells with a volume,
 /// quadratic cells, several pieces, LZ4, big-endian files.
 Expected<VtuGrid> read_vtu(std::string_view bytes, const WantedArrays& wanted,
-                           std::size_t most_unpacked = kMostUnpacked);
+                           std::size_t most_unpacked = kMostUnpacked,
+                           const MeshLimits& limits = {});
 
 /// The same of a PolyData file; its cells are numbered vertices, lines, polygons, strips.
 Expected<VtuGrid> read_vtp(std::string_view bytes, const WantedArrays& wanted,
-                           std::size_t most_unpacked = kMostUnpacked);
+                           std::size_t most_unpacked = kMostUnpacked,
+                           const MeshLimits& limits = {});
 
 struct VtpLines {
   Points points_mm;

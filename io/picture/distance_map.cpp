@@ -118,6 +118,8 @@ std::string distance_map_png(const DistanceMap& map) {
             kMapWidth - 2.0 * kMapEdge);
   draw_text(canvas, {kMapEdge, 62.0}, map.caption, {14.0, palette::kMuted},
             kMapWidth - 2.0 * kMapEdge);
+  draw_text(canvas, {kMapEdge, 16.0}, map.doubt, {13.0, palette::kWarning, Align::Left, true},
+            kMapWidth - 2.0 * kMapEdge);
   const double width = 0.5 * (kMapWidth - 3.0 * kMapEdge),
                height = kMapHeight - kMapTop - kMapScaleHeight;
   draw_side(canvas, map, eye_of(map, 1.0), {kMapEdge, kMapTop, width, height},

@@ -14,6 +14,7 @@ struct DistanceMap {
   std::vector<double> signed_mm;  ///< n
   double range_mm = 1.0;          ///< where the colours end: red at +, blue at -
   std::string title, caption;     ///< a line each
+  std::string doubt{};            ///< a line in the colour of warnings; empty: none
 };
 
 /// PNG bytes. Seen from where the mean normal of the faces points (of coapt's leaflets: the atrium) and from behind, with

@@ -15,7 +15,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tests/service"))
 
-from grown_files import checkerboard, named, repeated_arrays  # noqa: E402
+from grown_files import checkerboard, equal_faces, fans, label_maps, named, repeated_arrays  # noqa: E402
 from served import SOURCE, Server, parser_of, report  # noqa: E402
 from wire import post  # noqa: E402
 
@@ -162,6 +162,13 @@ def attacks(server, heavy):
         yield f"1 label map of {side}³ voxels", Attack(server, "/v1/valves:import", checkerboard(side), 1)
     yield "1 preview of 7,973 files", Attack(server, "/v1/imports:preview", previews, 1)
     yield "1 VTP file of 200 arrays", Attack(server, "/v1/valves:import", repeated_arrays(200, 30), 1)
+    yield "8 comparisons of 3,800 polygons of 997 triangles", Attack(server, "/v1/comparisons", fans(3800), 8)
+    yield "8 comparisons of 435,000 equal faces", Attack(server, "/v1/comparisons", equal_faces(435_000), 8)
+    yield "8 comparisons of 100,000 equal faces", Attack(server, "/v1/comparisons", equal_faces(100_000), 8)
+    valve = server.get("/v1/presets/human-normal")
+    for formats in (["nii"], ["nrrd", "nii", "nii.gz"]):
+        maps = label_maps(valve, 320, formats)
+        yield f"8 exports of 320³ voxels in {len(formats)} formats", Attack(server, "/v1/exports:files", maps, 8)
     yield "100 small closures at once", Attack(server, "/v1/closures", SMALL, 100)
     yield "100 slow bodies", SlowBodies(server, 100)
 
@@ -199,11 +206,12 @@ def main():
     if options.output:
         write(figures, options.output)
     beside = [figures[f"{clients} closures of 4,900 vertices"]["worst_s"] for clients in (2, 8)]
-    met = all(one["refused"] == 0 for one in figures.values()) and beside[0] < 1 and beside[1] < 3
+    worst = max(one["worst_s"] for one in figures.values())
+    met = all(one["refused"] == 0 for one in figures.values()) and beside[0] < 1 and worst < 3
     report(
         {"program": "crowded", "attacks": figures, "met": met},
         f"beside 2 and 8 heavy clients a small closure waited {beside[0]} and {beside[1]} s at worst; "
-        f"beside all attacks {max(one['worst_s'] for one in figures.values())} s",
+        f"beside all attacks {worst} s",
     )
     return 0 if met else 1
 

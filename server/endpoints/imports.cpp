@@ -34,7 +34,9 @@ Answer ImportValve::operator()(const Request& request) const {
   const auto store_import = [&](const std::string& body, Context& context) {
     Answer answer = read(reader, ImportStep::Valve, body, context);
     if (answer.status != 200) return answer;
-    const Expected<ImportedValve> made = import_from(answer_document(answer));
+    const Expected<Json> document = answer_document(answer);
+    if (!document) return problem(422, document.errors());
+    const Expected<ImportedValve> made = import_from(*document);
     if (!made) return problem(422, made.errors());
     return store_valve(store, reader.limits, made->valve,
                        {{"decisions", to_json(made->decisions)}});
@@ -50,11 +52,12 @@ Answer PostImports::operator()(const Request& request) const {
       answer_import(reader, compute, request, [&](const std::string& body, Context& context) {
         Answer answer = read(reader, ImportStep::Submission, body, context);
         if (answer.status != 200) return answer;
-        const Json document = answer_document(answer);
-        Expected<ImportedValve> made = import_from(document);
+        const Expected<Json> document = answer_document(answer);
+        if (!document) return problem(422, document.errors());
+        Expected<ImportedValve> made = import_from(*document);
         if (!made) return problem(422, made.errors());
         valve = std::move(made->valve);
-        has_fit = document.value("fit", false);
+        has_fit = document->value("fit", false);
         input = body;
         return answer;
       });

@@ -135,15 +135,17 @@ Answer GetPlanMesh::operator()(const Request& request) const {
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Repair repair = repair_of(store, request);
   if (repair.refusal) return *repair.refusal;
-  return answer_in_turn(compute, limits, request, closing_seconds(repair.after.rest_mm.rows()),
-                        [&](Context& context) {
-                          const Expected<ClosedValve> closed =
-                              context.close(repair.after, {.motion = true});
-                          if (!closed) return refusal(closed.errors());
-                          Expected<AnswerFile> file = exported_file(
-                              with_repair(*closed, repair.before, repair.plan), *format);
-                          return file ? file_answer(*std::move(file)) : refusal(file.errors());
-                        });
+  const double seconds =
+      closing_seconds(repair.after.rest_mm.rows()) + writing_seconds(*format, repair.after.rest_mm);
+  return answer_in_turn(compute, limits, request, seconds, [&](Context& context) {
+    const Expected<ClosedValve> closed = context.close(repair.after, {.motion = true});
+    if (!closed) return refusal(closed.errors());
+    const ExportOptions options{.cancelled = [&] { return context.cancelled(); }};
+    Expected<AnswerFile> file =
+        exported_file(with_repair(*closed, repair.before, repair.plan), *format, options);
+    if (!file && context.cancelled()) return refusal({context.refusal()});
+    return file ? file_answer(*std::move(file)) : refusal(file.errors());
+  });
 }
 
 Answer GetPlanPicture::operator()(const Request& request) const {

@@ -30,6 +30,8 @@ Answer PostOperation::operator()(const Request& request) const {
     return Errors();
   };
   if (auto refused = read_body(valves, request, read)) return *std::move(refused);
+  if (auto refused = read_files_in_turn(task, compute, context, request))
+    return *std::move(refused);
   const auto run = [&](Context& within) {
     Expected<OperationAnswer> answer = task.run(within);
     if (!answer) return refusal(answer.errors());
@@ -37,8 +39,8 @@ Answer PostOperation::operator()(const Request& request) const {
     return json_answer(200, std::get<Json>(*std::move(answer)));
   };
   if (task.closures == 0) return run(context);
-  return answer_in_turn(compute, context,
-                        turn_for(request, closing_seconds(task.vertices, task.closures)), run);
+  const double seconds = closing_seconds(task.vertices, task.closures) + task.seconds;
+  return answer_in_turn(compute, context, turn_for(request, seconds), run);
 }
 
 }  // namespace coapt

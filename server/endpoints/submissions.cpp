@@ -123,15 +123,19 @@ Answer SubmitOperation::operator()(const Request& request) const {
   };
   Valve valve;
   Json kept;
+  OperationTask task;
   const auto read = [&](const Json& body) {
-    const Expected<OperationTask> task = operation.read(body, context);
-    if (!task) return task.errors();
+    Expected<OperationTask> asked = operation.read(body, context);
+    if (!asked) return asked.errors();
+    task = *std::move(asked);
     ProblemList problems;
     valve_field(valves, valve)({body["valve"], problems});
     kept = body;
     return std::move(problems).take();
   };
   if (auto refused = read_body(valves, request, read)) return *std::move(refused);
+  if (auto refused = read_files_in_turn(task, compute, context, request))
+    return *std::move(refused);
   kept["valve"] = "valve";  // the job's own, by whatever name
   const std::string input = kept.dump();
   return submit(submitting, request,

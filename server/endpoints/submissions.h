@@ -42,6 +42,7 @@ struct SubmitOperation {
   Operation operation;
   Submitting submitting;
   const ImportReader& imports;  ///< of files in requests
+  Compute& compute;             ///< turns for those files
   Answer operator()(const Request& request) const;
 };
 

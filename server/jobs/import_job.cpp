@@ -86,7 +86,9 @@ std::optional<JobEnd> ImportJob::operator()(RunningJob& job) const {
       reader(ImportStep::Job, *body, budget, reader.limits.seconds - job.seconds(),
              JobRunner::kBelowRequests);
   if (!answer) throw std::runtime_error(kJobStops);
-  const Json read = answer_document(*answer);
+  const Expected<Json> answered = answer_document(*answer);
+  if (!answered) return failed(job, answered.errors());
+  const Json& read = *answered;
   if (answer->status != 200)
     return failed(job, errors_from_json(read.value("problems", Json::array())));
   Expected<ImportedValve> imported = import_from(read);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "io/exchange/decisions_json.h"
 #include "io/exchange/file_preview.h"
@@ -11,6 +12,7 @@
 #include "io/json/result_json.h"
 #include "io/json/valve_json.h"
 #include "io/picture/import_picture.h"
+#include "operations/given_shape.h"
 #include "server/form_body.h"
 #include "server/json_body.h"
 #include "server/turns.h"
@@ -94,16 +96,27 @@ Json surface_document(const LeafletMesh& surface) {
           {"leaflets", surface.leaflets}};
 }
 
-Answer surface_answer(const Json& body) {
-  NamedFile file;
-  ShapeFileOptions options;
+/// The first line of a question, and what stands below it.
+std::pair<std::string_view, std::string_view> first_line(std::string_view question) {
+  const std::size_t end = std::min(question.find('\n'), question.size());
+  return {question.substr(0, end), question.substr(std::min(end + 1, question.size()))};
+}
+
+Answer surface_answer(std::string_view question, const OperationLimits& limits) {
+  const auto [line, bytes] = first_line(question);
+  const Expected<Json> head = parse_json(line);
+  if (!head) return problem(400, head.errors());
+  NamedFile file{"", std::string(bytes)};
+  ShapeFileOptions options{.limits = surface_limits(limits)};
   ProblemList problems;
-  read_fields({body, problems}, {{"file", into(file, read_file)},
-                                 {"leaflet_array", into(options.leaflets, read_string)},
-                                 {"displacement_array", into(options.displacement, read_string)}});
+  read_fields({*head, problems}, {{"name", into(file.name, read_string)},
+                                  {"leaflet_array", into(options.leaflets, read_string)},
+                                  {"displacement_array", into(options.displacement, read_string)}});
   if (!problems.empty()) return problem(422, std::move(problems).take());
   const Expected<LeafletMesh> surface = read_surface_file(file, options);
   if (!surface) return problem(422, surface.errors());
+  if (const Errors errors = check_surface(*surface, limits); !errors.empty())
+    return problem(422, errors);
   return {200, surface_document(*surface)};
 }
 
@@ -186,7 +199,9 @@ std::optional<Answer> valve_of(ImportStep step, const Json& body, const ServiceL
     if (const Errors errors = check_size(made->valve, operation_limits(limits)); !errors.empty())
       return problem(422, errors);
   Expected<LeafletMesh> surface = LeafletMesh{};
-  if (asked.fit) surface = fit_surface(asked, *made);
+  if (asked.fit)
+    surface = fit_surface(asked, *made,
+                          was_taken ? OperationLimits::unlimited() : operation_limits(limits));
   if (!surface) return problem(422, surface.errors());
   if (was_taken) return Answer{200, job_document(body, *made, asked.fit ? &*surface : nullptr)};
   Json document = import_document(*made);
@@ -199,15 +214,14 @@ std::optional<Answer> valve_of(ImportStep step, const Json& body, const ServiceL
 std::optional<Answer> read_import(ImportStep step, std::string_view body,
                                   const ServiceLimits& limits, const ClosureBudget& budget) {
   if (step == ImportStep::Form) {
-    const std::size_t line = std::min(body.find('\n'), body.size());
-    Expected<std::string> form =
-        json_of_form(body.substr(std::min(line + 1, body.size())), body.substr(0, line));
+    const auto [type, parts] = first_line(body);
+    Expected<std::string> form = json_of_form(parts, type);
     if (!form) return problem(400, form.errors());
     return Answer{200, Content{"application/json", *std::move(form)}};
   }
+  if (step == ImportStep::Surface) return surface_answer(body, operation_limits(limits));
   const Expected<Json> json = parse_json(body, most_values(limits));
   if (!json) return problem(400, json.errors());
-  if (step == ImportStep::Surface) return surface_answer(*json);
   return step == ImportStep::Preview ? previews(*json, budget)
                                      : valve_of(step, *json, limits, budget);
 }
@@ -225,14 +239,14 @@ std::unique_ptr<ReaderProcesses> import_processes(const ServiceLimits& limits) {
       limits.import_bytes, load_import_fonts);
 }
 
-std::optional<Answer> ImportReader::operator()(ImportStep step, const std::string& body,
+std::optional<Answer> ImportReader::operator()(ImportStep step, std::string body,
                                                const ClosureBudget& budget, double seconds,
                                                int nice) const {
   if (apart == nullptr) return read_import(step, body, limits, budget);
   const ReaderProcesses::Order order{static_cast<int>(std::clamp(std::ceil(seconds), 1.0, 1e6)),
                                      nice};
-  const ReaderProcesses::Result result =
-      apart->ask(static_cast<char>(step) + body, order, budget.cancelled);
+  body.insert(body.begin(), static_cast<char>(step));
+  const ReaderProcesses::Result result = apart->ask(body, order, budget.cancelled);
   constexpr std::size_t kDigits = 3;
   switch (result.end) {
     case ReaderProcesses::End::Cancelled:
@@ -265,10 +279,13 @@ std::optional<Answer> ImportReader::operator()(ImportStep step, const std::strin
                  "offline (coapt valve import), and please report a bug if that also fails");
 }
 
-Json answer_document(const Answer& answer) {
+Expected<Json> answer_document(const Answer& answer) {
   if (const auto* json = std::get_if<Json>(&answer.body)) return *json;
-  const Expected<Json> json = parse_json(std::get<Content>(answer.body).bytes);
-  return json ? *json : Json::object();
+  Expected<Json> json = parse_json(std::get<Content>(answer.body).bytes);
+  if (json) return json;
+  return Error{ErrorCode::InputOutput, "",
+               "could not be read, because the answer of the reading process is not accepted: " +
+                   json.errors().front().message};
 }
 
 Expected<ImportedValve> import_from(const Json& document) {
@@ -295,15 +312,17 @@ Expected<ImportedValve> import_from(const Json& document) {
 Expected<LeafletMesh> read_surface(const ImportReader& reader, const NamedFile& file,
                                    const ShapeFileOptions& options, const ClosureBudget& budget) {
   if (reader.apart == nullptr) return read_surface_file(file, options);
-  const Json body = {{"file", to_json(file)},
+  const Json head = {{"name", file.name},
                      {"leaflet_array", options.leaflets},
                      {"displacement_array", options.displacement}};
   const std::optional<Answer> answer =
-      reader(ImportStep::Surface, body.dump(), budget, reader.limits.request_seconds + 1.0);
+      reader(ImportStep::Surface, json_text(head) + '\n' + file.bytes, budget,
+             reader.limits.request_seconds + 1.0);
   if (!answer) return Error{ErrorCode::Busy, "", "took too long to read"};
-  const Json document = answer_document(*answer);
-  if (answer->status == 200) return surface_from(document);
-  return errors_from_json(document.value("problems", Json::array()));
+  const Expected<Json> document = answer_document(*answer);
+  if (!document) return document.errors();
+  if (answer->status == 200) return surface_from(*document);
+  return errors_from_json(document->value("problems", Json::array()));
 }
 
 Expected<LeafletMesh> surface_from(const Json& document) {

@@ -25,7 +25,7 @@ enum class ImportStep : char {
   Form =
       'f',  ///< of a Content-Type, a line break and a form of that type: the same as JSON (form_body.h)
   Surface =
-      'c'  ///< of a body of "file", "leaflet_array" and "displacement_array": what surface_from() reads
+      'c'  ///< of a line of JSON with "name", "leaflet_array" and "displacement_array", and below it the file: what surface_from() reads
 };
 
 /// In this process. 200 with the document, or what is wrong with the body; none if it was cancelled.
@@ -42,12 +42,12 @@ struct ImportReader {
 
   /// As read_import(), which a fault of a reader or more memory than limits.import_bytes ends with 422.
   /// @param seconds that it may compute, if apart
-  std::optional<Answer> operator()(ImportStep step, const std::string& body,
-                                   const ClosureBudget& budget, double seconds, int nice = 0) const;
+  std::optional<Answer> operator()(ImportStep step, std::string body, const ClosureBudget& budget,
+                                   double seconds, int nice = 0) const;
 };
 
-/// Of such an answer. @pre it is JSON
-Json answer_document(const Answer& answer);
+/// Of such an answer. Errors: it cannot be read as JSON.
+Expected<Json> answer_document(const Answer& answer);
 
 /// With the valve, units, decisions, parts and thickness; of its input only whether it was closed. Whatever process the document
 /// comes from, it is read as strictly as a client's.

@@ -36,8 +36,8 @@ SearchOptions granted(SearchOptions options, const ServiceLimits& limits, double
 /// What is told of a plan in the job itself.
 Json summary_of(const Json& plan) {
   Json summary;
-  for (const char* key : {"rank", "description", "plan", "leak_mm2", "cost", "status", "crossing",
-                          "margin_to_leak", "tie_with_next", "warnings"})
+  for (const char* key : {"rank", "description", "plan", "leak_mm2", "ranked_cost", "cost",
+                          "status", "crossing", "margin_to_leak", "tie_with_next", "warnings"})
     summary[key] = plan[key];
   return summary;
 }

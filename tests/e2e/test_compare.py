@@ -4,7 +4,7 @@ import json
 import struct
 import unittest
 
-from programs import BAD_INPUT, FAILURE, ProgramTest, coapt
+from programs import BAD_INPUT, FAILURE, NOT_CLOSED, ProgramTest, coapt, small_valve
 
 
 def grid(columns, rows, height, cell=1.0, x=0.0, y=0.0):
@@ -84,6 +84,16 @@ class Compare(ProgramTest):
         self.assertEqual(header[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(struct.unpack(">II", header[16:]), (2200, 1280))
         self.assertIn("SCALARS signed_distance_mm double 1\nLOOKUP_TABLE default\n0.4\n", mesh.read_text())
+
+    def test_files_of_a_closure_that_is_not_to_be_trusted_say_so(self):
+        valve = json.loads(small_valve().read_text())
+        valve["tissue"]["thickness_mm"] = 0.1  # its leaflets pass through each other
+        thin, mesh = self.write("thin.json", valve), self.folder / "map.vtk"
+        run = coapt("compare", thin, small_valve(), "-o", mesh)
+        self.assertEqual(run.returncode, NOT_CLOSED, run.stderr)
+        self.assertTrue(mesh.read_text().split("\n")[1].endswith("; closed: UNRELIABLE: leaflets cross"))
+        coapt("compare", small_valve(), thin, "-o", mesh)
+        self.assertTrue(mesh.read_text().split("\n")[1].endswith("; reference: UNRELIABLE: leaflets cross"))
 
     def test_leaflets_are_those_of_the_array_asked_for(self):
         vtu = self.write("two.vtu", VTU)

@@ -14,7 +14,7 @@ import unittest
 from programs import SOURCE
 from server_runs import ServerTest
 
-from grown_files import checkerboard, repeated_arrays  # found through server_runs
+from grown_files import checkerboard, equal_faces, fans, repeated_arrays  # found through server_runs
 
 
 def readers_of(server):
@@ -176,12 +176,15 @@ class Imports(ServerTest):
         self.assertEqual(server.ask("POST", "/v1/imports:preview", small).status, 200)
 
     def test_files_that_grow_are_refused_within_64_mib_and_a_second_of_a_core(self):
+        compared = {"fans": fans(3800), "equal faces": equal_faces(435_000)}
         for name, request in {
             **{f"map of {side}": checkerboard(side) for side in (128, 160, 230, 256)},
             "vtp": repeated_arrays(200, 7),
+            **compared,
         }.items():
+            path = "/v1/comparisons" if name in compared else "/v1/valves:import"
             replies, mib, seconds = [], 0.0, 0.0
-            asking = lambda: replies.append(self.server.ask("POST", "/v1/valves:import", request))  # noqa: B023, E731
+            asking = lambda: replies.append(self.server.ask("POST", path, request))  # noqa: B023, E731
             client = threading.Thread(target=asking)
             client.start()
             while client.is_alive():
@@ -189,6 +192,8 @@ class Imports(ServerTest):
                     mib, seconds = max(mib, peak_mib(reader)), max(seconds, processor_s(reader))
                 time.sleep(0.002)
             self.assertEqual(replies[0].status, 422, name)
+            if name in compared:
+                self.assertIn(b" accepted", replies[0].body, name)
             self.assertLess(mib, 64, name)
             self.assertLess(seconds, 1.0, name)
             if name != "vtp":

@@ -1,4 +1,5 @@
-"""Files of some kilobytes that grow to gigabytes where they are taken apart without a count, as requests of an import."""
+"""Files that grow where they are taken apart without a count, kilobytes to gigabytes or polygons to millions of triangles, and voxels to
+be written, as requests."""
 
 import base64
 import gzip
@@ -36,3 +37,26 @@ def repeated_arrays(arrays, megabytes):
     )
     head += '</DataArray></Polys></Piece></PolyData><AppendedData encoding="raw">_'
     return {"leaflets": [named("bomb.vtp", head.encode() + data + b"</AppendedData></VTKFile>")], "chordae_seed": 1}
+
+
+def compared(text):
+    """A comparison with a surface of OBJ, which is refused before the valve beside it is closed."""
+    return {"closed": {"file": {"name": "grown.obj", "text": text}}, "reference": {"valve": "human-normal"}}
+
+
+def fans(polygons):
+    """Polygons of 997 triangles each, in 2 kB."""
+    return compared("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + ("f 1" + " 2 3" * 499 + "\n") * polygons)
+
+
+def equal_faces(faces):
+    """On three vertices, of as many as there are faces."""
+    return compared("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "v 1 2 3\n" * (faces - 3) + "f 1 2 3\n" * faces)
+
+
+def label_maps(valve, side, formats):
+    """A valve that fits into 48 mm, on a grid of so many voxels each way."""
+    step = 48.0 / side
+    to_lps_mm = [[step if row == column else 0.0 for column in range(3)] + [-24.0] for row in range(3)]
+    placed = valve | {"patient_frame": [[float(row == column) for column in range(4)] for row in range(4)]}
+    return {"valve": placed, "formats": formats, "grid": {"size": [side] * 3, "to_lps_mm": to_lps_mm}}

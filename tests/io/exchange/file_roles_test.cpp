@@ -34,6 +34,12 @@ TEST(PartNames, CommonSpellingsOfSlicerHeartAndPapers) {
   EXPECT_EQ(part_named("commissure A"), NamedPart::Commissure);
   EXPECT_EQ(part_named("MA"), NamedPart::Annulus);
   EXPECT_EQ(part_named("papillary AL"), NamedPart::Tips);
+  for (const char* name : {"Left atrium", "LA", "left atrial blood pool"})
+    EXPECT_EQ(annulus_side_named(name), AnnulusSide::Atrium) << name;
+  for (const char* name : {"Left ventricle", "LV myocardium", "papillary muscle"})
+    EXPECT_EQ(annulus_side_named(name), AnnulusSide::Ventricle) << name;
+  for (const char* name : {"Right atrium", "RV", "LVOT", "left atrial appendage", "aorta", "A"})
+    EXPECT_EQ(annulus_side_named(name), std::nullopt) << name;
 }
 
 TEST(FileRoles, LabelMapsByTheirExtension) {

@@ -45,6 +45,8 @@ TEST(ImportFiles, GivenAxesOverruleAHeaderAndTheDecisionSaysSo) {
   EXPECT_EQ(source->decisions[0].value, "leaflets: RAS, converted to LPS");
   EXPECT_EQ(source->decisions[0].reason,
             "as given, contrary to their headers, which state SPACE=LPS");
+  EXPECT_TRUE(source->decisions[0].look);
+  EXPECT_FALSE(read_import_files(with_head(""), reading)->decisions[0].look);
 }
 
 TEST(ImportFiles, FilesOfDifferentAxesAreTurnedOneByOne) {
@@ -67,8 +69,9 @@ TEST(ImportFiles, FilesOfDifferentAxesAreTurnedOneByOne) {
   EXPECT_EQ(source->tips[0].position_mm, Vec3(-1, -2, 3));
 }
 
-/// Two plates and a square ring about them in 20 x 20 x 4 voxels of 1 mm, as ASCII NRRD.
-std::string labels_nrrd(const std::string& keys, const std::array<int, 3>& labels) {
+/// Two plates and a square ring about them in 20 x 20 x 4 voxels of 1 mm, as ASCII NRRD. The ring begins at 14 half voxels.
+std::string labels_nrrd(const std::string& keys, const std::array<int, 3>& labels,
+                        int plates_end = 12) {
   std::string text =
       "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 20 20 4\nspace: left-posterior-superior\n"
       "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (5,6,7)\nencoding: ascii\n" +
@@ -77,7 +80,7 @@ std::string labels_nrrd(const std::string& keys, const std::array<int, 3>& label
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 20; ++i) {
         const int out = std::max(std::abs(2 * i - 19), std::abs(2 * j - 19));
-        const bool plate = out < 12 && (k == 1 || k == 2);
+        const bool plate = out < plates_end && (k == 1 || k == 2);
         const int label = plate && j < 9    ? labels[0]
                           : plate && j > 10 ? labels[1]
                           : out == 15       ? labels[2]
@@ -114,6 +117,17 @@ TEST(ImportFiles, LabelsWithoutNamesAreLeftToAnatomyAndTheClosedBandIsTheAnnulus
     EXPECT_GT(source->leaflets[first ? 1 : 0].vertices_mm.col(1).minCoeff(), 16.2);
     EXPECT_EQ(source->order.called[first ? 0 : 1], "label " + std::to_string(labels[0]));
   }
+}
+
+TEST(ImportFiles, ABandThatLeafletsBeginAtIsAsWideAsItIs) {
+  ImportFiles files;
+  files.labels = {"x.nrrd", labels_nrrd("", {1, 2, 3}, 14)};
+  const Expected<ImportSource> beside = read_import_files(files);
+  ASSERT_TRUE(beside) << beside.errors()[0].message;
+  // 240 voxels about some 58 mm.
+  EXPECT_NEAR(beside->annulus_band_mm, std::sqrt(240.0 / (58.0 * M_PI)), 0.1);
+  files.labels = {"x.nrrd", labels_nrrd("", {1, 2, 3}, 10)};
+  EXPECT_EQ(read_import_files(files)->annulus_band_mm, 0.0) << "two voxels are between them";
 }
 
 TEST(ImportFiles, LabelsByNameOrAsGiven) {
@@ -204,6 +218,22 @@ TEST(ImportFiles, NamesOfScallopsThatAreOverruledTellNoSide) {
   ImportReading reading;
   reading.labels = {{1}, {2, 4}, {}};
   EXPECT_TRUE(read_import_files(files, reading)->sided.empty());
+}
+
+TEST(ImportFiles, ChambersAndPapillaryMusclesAreWitnessesOfTheirSide) {
+  for (const auto& [name, side] : {std::pair("Left atrium", AnnulusSide::Atrium),
+                                   {"AL papillary muscle", AnnulusSide::Ventricle}}) {
+    ImportFiles files;
+    files.labels = {"x.nrrd",
+                    scallops_nrrd("Segment0_Name:=A\nSegment0_LabelValue:=1\nSegment1_Name:=P\n"
+                                  "Segment1_LabelValue:=2\nSegment2_Name:=" +
+                                  std::string(name) + "\nSegment2_LabelValue:=4\n")};
+    const Expected<ImportSource> source = read_import_files(files);
+    ASSERT_TRUE(source) << name << source.errors()[0].message;
+    ASSERT_EQ(source->witnesses.size(), 1U) << name;
+    EXPECT_EQ(source->witnesses[0].side, side);
+    EXPECT_NEAR(source->witnesses[0].position_mm.x(), 5.0 + 12.5, 0.51);
+  }
 }
 
 TEST(ImportFiles, ALabelMapThatIsNotPlacedLeavesTheAxesOpen) {
@@ -352,13 +382,40 @@ TEST(ImportFiles, TablesOfSlicerSayTheirAxes) {
        {std::pair("# CoordinateSystem = LPS\n# columns = id,x,y,z\n", false),
         {"# CoordinateSystem = 0\n# columns = id,x,y,z\n", true},
         {"label,r,a,s\n", true},
-        {"label,l,p,s\n", false}}) {
+        {"label,l,p,s\n", false},
+        {"# columns = id,x,y,z\n", true}}) {
     ImportFiles files = with_head("");
     files.annulus = {"ring.fcsv", head + std::string("1,1,2,3\n")};
     const Expected<ImportSource> source = read_import_files(files);
     ASSERT_TRUE(source) << head << source.errors()[0].message;
     EXPECT_EQ(source->annulus_mm(0, 0), turned ? -1.0 : 1.0) << head;
   }
+}
+
+TEST(ImportFiles, ATableOfVoxelsIsRefused) {
+  for (const char* system : {"2", "IJK"}) {
+    ImportFiles files = with_head("");
+    files.annulus = {"ring.fcsv", std::string("# CoordinateSystem = ") + system +
+                                      "\n# columns = id,x,y,z\n1,1,2,3\n"};
+    const Expected<ImportSource> source = read_import_files(files);
+    ASSERT_FALSE(source) << system;
+    EXPECT_EQ(source.errors()[0].path, "/annulus");
+    EXPECT_EQ(source.errors()[0].code, ErrorCode::Unsupported);
+  }
+}
+
+TEST(ImportFiles, AFrameOfNoFileIsNotUsed) {
+  ImportReading reading;
+  reading.axes = PatientAxes::RAS;
+  ImportFiles files;
+  files.labels = {"x.nrrd", labels_nrrd("", {1, 2, 3})};
+  const Expected<ImportSource> map = read_import_files(files, reading);
+  ASSERT_TRUE(map) << map.errors()[0].message;
+  EXPECT_EQ(map->decisions.back().value, "frame not used");
+  EXPECT_TRUE(map->decisions.back().look);
+  files.annulus = {"a.csv", "1,2,3\n4,5,6\n"};
+  EXPECT_EQ(read_import_files(files, reading)->decisions.back().value,
+            "annulus: RAS, converted to LPS");
 }
 
 TEST(ImportFiles, ColumnsThatNothingReadsAreSaidOnceAndByPlainNamesAlone) {

@@ -28,6 +28,15 @@ TEST(ShapeFile, TakesLeafletsFromTheArrayThatNumbersThem) {
   EXPECT_EQ(other->names, (std::vector<std::string>{"other 0.5"}));
 }
 
+TEST(ShapeFile, IsTurnedToLpsWhereItSaysRas) {
+  std::string ras = kTwoLabels;
+  ras.replace(ras.find("other program"), 13, "3D Slicer output. SPACE=RAS");
+  const Expected<LeafletMesh> lps = read_shape(kTwoLabels, "vtk"), turned = read_shape(ras, "vtk");
+  ASSERT_TRUE(lps && turned);
+  EXPECT_EQ(turned->vertices_mm.leftCols(2), -lps->vertices_mm.leftCols(2));
+  EXPECT_EQ(turned->vertices_mm.col(2), lps->vertices_mm.col(2));
+}
+
 TEST(ShapeFile, NamesTheArraysThatThereAreIfOneIsMissing) {
   const Expected<LeafletMesh> mesh = read_shape(kTwoLabels, "vtk", {"parts", ""});
   ASSERT_FALSE(mesh);
@@ -69,6 +78,20 @@ TEST(ShapeFile, ReadsTheClosedStateOfAScene) {
   const Expected<LeafletMesh> mesh = read_scene_shape(scene);
   ASSERT_TRUE(mesh);
   EXPECT_TRUE(have_same_nodes(*mesh, shape_of(closed)));
+}
+
+TEST(ShapeFile, RefusesMoreThanItsLimits) {
+  const auto reads = [](std::string_view bytes, const char* format, const MeshLimits& limits) {
+    return bool(read_shape(bytes, format, {.limits = limits}));
+  };
+  EXPECT_TRUE(reads(kTwoLabels, "vtk", {5, 2}));
+  EXPECT_FALSE(reads(kTwoLabels, "vtk", {4, 2})) << "the loose vertex counts, too";
+  EXPECT_FALSE(reads(kTwoLabels, "vtk", {5, 1}));
+  const std::string scene =
+      "{\"schema\": \"coapt.scene/1\", \"closed_mm\": [0, 0, 0, 1, 0, 0, 0, 1, 0], \"faces\": [0, "
+      "1, 2]}";
+  EXPECT_TRUE(read_scene_shape(scene, {3, 1}));
+  EXPECT_FALSE(read_scene_shape(scene, {1, 1})) << "16 values, and 12 are accepted";
 }
 
 TEST(ShapeFile, RefusesScenesWithoutAShape) {

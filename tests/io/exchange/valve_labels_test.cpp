@@ -40,6 +40,28 @@ TEST(ValveLabels, ALeafletHasItsAreaTimesItsThickness) {
   EXPECT_GT(voxels_of(*map, 3), 100);
 }
 
+TEST(ValveLabels, AMapThatIsCancelledIsNotDrawnToItsEnd) {
+  const ClosedValve exported = still_valve();
+  int asked = 0;
+  const Expected<LabelMap> map = valve_labels(exported, unstressed_shape(exported.valve), nullptr,
+                                              [&] { return ++asked > 0; });
+  ASSERT_FALSE(map);
+  EXPECT_EQ(map.errors()[0].code, ErrorCode::Busy);
+  EXPECT_EQ(asked, 1);
+}
+
+TEST(ValveLabels, AValveThatTakesTooManyVoxelsIsRefusedBeforeTheyAreMade) {
+  const ClosedValve exported = still_valve();
+  for (const double scale : {20.0, 1e9}) {
+    ValveShape shape = unstressed_shape(exported.valve);
+    shape.vertices_mm *= scale;
+    const Expected<LabelMap> map = valve_labels(exported, shape, nullptr);
+    ASSERT_FALSE(map);
+    EXPECT_EQ(map.errors()[0].code, ErrorCode::OutOfRange);
+    EXPECT_EQ(map.errors()[0].path, "/grid");
+  }
+}
+
 TEST(ValveLabels, AGridIsKeptAndMustHoldTheValve) {
   const ClosedValve exported = still_valve();
   const ValveShape shape = unstressed_shape(exported.valve);

@@ -100,6 +100,23 @@ TEST(Nrrd, LayersOfSlicerAreSortedAndItsSegmentsNamed) {
   EXPECT_EQ(labels[1].value, 4);
 }
 
+TEST(Nrrd, AListWithoutNamesIsOfPhasesWhereOneIsAskedFor) {
+  const std::string list =
+      with(with(kHead, "dimension: 3\nsizes: 2 2 1", "dimension: 4\nsizes: 2 2 2 1"), "(0.5,0,0)",
+           "none (0.5,0,0)") +
+      "kinds: list domain domain domain\n";
+  const std::string data = "encoding: raw\n\n" + std::string("\1\4\0\4\1\0\0\0", 8);
+  const Expected<LabelMap> second = read_nrrd(list + data, kMostVoxels, 2);
+  ASSERT_TRUE(second) << second.errors()[0].message;
+  EXPECT_EQ(second->phases, 2);
+  EXPECT_EQ(second->phase, 2);
+  EXPECT_EQ(second->voxels, (std::vector<std::uint16_t>{4, 4, 0, 0}));
+  EXPECT_EQ(read_nrrd(list + data, kMostVoxels, 3).errors()[0].path, "/phase");
+  EXPECT_EQ(read_nrrd(list + data)->layers, 2);
+  const std::string named = "Segment0_Name:=ring\nSegment0_LabelValue:=1\n";
+  EXPECT_EQ(read_nrrd(list + named + data, kMostVoxels, 2)->layers, 2) << "they are segments";
+}
+
 std::string bzipped(std::string bytes) {
   std::string packed(1000, '\0');
   auto size = static_cast<unsigned>(packed.size());

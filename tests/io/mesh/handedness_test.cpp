@@ -84,11 +84,16 @@ TEST(Handedness, AValveThatLiesAsHeartsDoIsSoundAndItsMirrorImagesAreNot) {
     }
 }
 
-TEST(Handedness, AxesOfVoxelsAloneAreLookedAtAndThoseOfAnEchoProbeAreNot) {
+TEST(Handedness, AxesOfVoxelsAloneAndThoseOfAnEchoProbeAreLookedAt) {
   EXPECT_TRUE(judged(SourceAxes::Unknown, as_in_a_chest()).look);
   const Eigen::Matrix3d upright = Eigen::Matrix3d::Identity();  // the atrium is straight above
-  EXPECT_FALSE(judged(SourceAxes::Stated, upright).look);
-  EXPECT_EQ(judged(SourceAxes::Stated, upright).confidence, 0.5);
+  const ImportDecision stated = judged(SourceAxes::Stated, upright);
+  EXPECT_TRUE(stated.look);
+  EXPECT_EQ(stated.confidence, 0.5);
+  EXPECT_NE(stated.reason.find("it lies 146 degrees from how a heart usually lies"),
+            std::string::npos)
+      << stated.reason;
+  EXPECT_FALSE(judged(SourceAxes::Assumed, upright).look) << "meshes whose axes nobody states";
 }
 
 }  // namespace

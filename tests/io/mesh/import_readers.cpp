@@ -126,6 +126,24 @@ TEST(ImportReaders, TheSamePointsInAnyTable) {
   }
 }
 
+TEST(ImportReaders, AFieldWithoutANameIsThatOfItsRowOrRefused) {
+  for (const char* table :
+       {"x,y,z\n\"a\",1.5,2,3\n\"b\",4,5,6.5\n", "x y z\n1 1.5 2 3\n2 4 5 6.5\n",
+        "x,y,z\n0,1.5,2,3,,\n1,4,5,6.5,,\n",
+        "# Markups fiducial file version = 5.0\n# columns = id,x,y,z,associatedNodeID\n"
+        "1,1.5,2,3,,2,0\n2,4,5,6.5,,2,0\n"}) {
+    const Expected<Points> points = read_points_csv(table);
+    ASSERT_TRUE(points) << table << points.errors()[0].message;
+    EXPECT_EQ(points->row(1), Eigen::RowVector3d(4.0, 5.0, 6.5)) << table;
+  }
+  for (const char* table : {"x,y,z\n1,5,2,5,3,5\n4,5,5,5,6,5\n", "x,y,z\na,1,2,3\n4,5,6\n",
+                            "x,y,z\n1,2,3,0.7\n4,5,6,0.9\n"}) {
+    const Expected<Points> points = read_points_csv(table);
+    ASSERT_FALSE(points) << table;
+    EXPECT_NE(points.errors()[0].message.find(" fields, must have 3"), std::string::npos) << table;
+  }
+}
+
 TEST(ImportReaders, ColumnsThatNothingNamesAreNotGuessed) {
   const Expected<Points> four = read_points_csv("0,1.5,2,3\n1,4,5,6.5\n");
   ASSERT_FALSE(four);

@@ -10,6 +10,7 @@
 #include "core/metrics/measure.h"
 #include "io/mesh/find_annulus.h"
 #include "io/mesh/imaged_state.h"
+#include "io/mesh/judged_state.h"
 #include "shell_scene.h"
 
 namespace coapt {
@@ -172,6 +173,38 @@ TEST(ImportSheets, AMeasuredThicknessIsTakenIfAskedFor) {
   EXPECT_NEAR(import_valve(source, options)->tissue.thickness_mm, 1.5, 0.1);
   EXPECT_EQ(import_valve(preset_leaflets("human-normal", false), options).errors()[0].path,
             "/thickness_measured");
+}
+
+TEST(ImportSheets, AnUnusualThicknessIsLookedAt) {
+  ImportOptions options;
+  options.chordae_seed = 0;
+  for (const auto& [given_mm, look] :
+       {std::pair(0.3, true), {0.8, false}, {2.0, false}, {5.0, true}}) {
+    options.thickness_mm = given_mm;
+    std::vector<ImportDecision> decisions;
+    ASSERT_TRUE(tissue_thickness(options, {}, 1.0, decisions));
+    EXPECT_EQ(decisions.at(0).look, look) << given_mm;
+  }
+  options.thickness_mm = {};
+  for (const auto& [posterior_mm, look] : {std::pair(1.7, false), {4.6, true}}) {
+    std::vector<MeasuredThickness> measured(2);
+    measured[0].mean_mm = 1.6;
+    measured[1].mean_mm = posterior_mm;
+    std::vector<ImportDecision> decisions;
+    ASSERT_TRUE(tissue_thickness(options, measured, 1.0, decisions));
+    EXPECT_EQ(decisions.at(0).look, look) << sentence(decisions[0]);
+  }
+}
+
+TEST(ImportSheets, TallLeafletsOfSickValvesHaveUsualSizes) {
+  for (const char* preset : {"barlow", "hypertrophic", "marfan", "secondary-mr"}) {
+    ImportOptions options;
+    options.chordae_seed = 0;
+    const Expected<ImportedValve> made =
+        import_with_decisions(preset_leaflets(preset, false), options);
+    ASSERT_TRUE(made) << preset << made.errors()[0].message;
+    EXPECT_EQ(told(*made, "size"), nullptr) << preset << sentence(*told(*made, "size"));
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "cone_scene.h"
+#include "core/valve/number_text.h"
 #include "core/valve/patient_frame.h"
 #include "core/valve/validate.h"
 
@@ -193,6 +194,37 @@ TEST(ImportValve, AnInsertionFarFromTheFreeEdgeBecomesStrutOrBasal) {
   ASSERT_EQ(valve.chordae[2].segments.size(), 1U);
   const Vec3 end = position(valve.chordae[2].segments[0].insertion, valve.faces, valve.rest_mm);
   EXPECT_LT((end - on_cone(93.0, 0.5)).norm(), 0.05);  // facets of six degrees
+}
+
+/// What is decided of chordae that end `up_mm` above six points of the free edge.
+ImportDecision chordae_decision(double up_mm) {
+  ImportSource source = cone_source();
+  for (const double angle : {60.0, 120.0, -60.0, -120.0}) {
+    const bool medial = std::abs(angle) < 90.0;
+    source.chordae.push_back({shown(angle), medial ? Side::Posteromedial : Side::Anterolateral,
+                              ChordaKind::Marginal, on_cone(angle, 1.0),
+                              Vec3(medial ? 10.0 : -10.0, 0.0, -25.0)});
+  }
+  for (ImportedChorda& chorda : source.chordae) chorda.insertion_mm.z() += up_mm;
+  const Expected<ImportedValve> made = import_with_decisions(source, {});
+  if (made)
+    for (const ImportDecision& decision : made->decisions)
+      if (decision.subject == "chordae") return decision;
+  return {};
+}
+
+TEST(ImportValve, ATableOfChordaeThatLiesElsewhereIsLookedAt) {
+  for (const double up_mm : {0.0, 1.0, -1.0}) EXPECT_FALSE(chordae_decision(up_mm).look) << up_mm;
+  for (const double up_mm : {2.0, -2.0}) {
+    const ImportDecision moved = chordae_decision(up_mm);
+    EXPECT_TRUE(moved.look);
+    EXPECT_NE(moved.reason.find(" mm on average"), std::string::npos) << moved.reason;
+  }
+  const ImportDecision high = chordae_decision(4.5);
+  EXPECT_TRUE(high.look);
+  EXPECT_NE(high.reason.find("of the anterior leaflet ends within 3 mm of its free edge"),
+            std::string::npos)
+      << high.reason;
 }
 
 TEST(ImportValve, DistinctTipsBecomeHeadsOfTheirMuscle) {

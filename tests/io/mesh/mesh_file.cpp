@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace coapt {
 namespace {
@@ -117,6 +119,45 @@ TEST(MeshFile, PolygonsAreSplitIntoFans) {
   ASSERT_EQ(mesh->faces.rows(), 2);
   EXPECT_EQ(mesh->faces.row(0), Eigen::RowVector3i(0, 1, 2));
   EXPECT_EQ(mesh->faces.row(1), Eigen::RowVector3i(0, 2, 3));
+}
+
+TEST(MeshFile, MoreVerticesOrTrianglesThanAcceptedAreRefusedInEveryFormat) {
+  const std::string vtk =
+      "# vtk DataFile Version 4.2\nsquare\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n0 0 0\n1 0 "
+      "0\n1 "
+      "1 0\n0 1 0\nPOLYGONS 1 5\n4 0 1 2 3\n";
+  const std::string vtp =
+      "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece><Points><DataArray "
+      "type=\"Float64\" format=\"ascii\">0 0 0 1 0 0 1 1 0 0 1 0</DataArray></Points><Polys>"
+      "<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 3</DataArray>"
+      "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">4</DataArray></Polys></Piece>"
+      "</PolyData></VTKFile>";
+  const std::pair<std::string, std::string> files[] = {
+      {kObj, "obj"},      {kAsciiPly, "ply"},     {binary_ply(std::endian::big), "ply"},
+      {kAsciiStl, "stl"}, {binary_stl(2), "stl"}, {vtk, "vtk"},
+      {vtp, "vtp"}};
+  for (const auto& [bytes, format] : files) {
+    const auto message = [&, &bytes = bytes, &format = format](const MeshLimits& limits) {
+      const auto mesh = read_mesh(bytes, format, kMostUnpackedSent, limits);
+      return mesh ? std::string() : mesh.errors().front().message;
+    };
+    EXPECT_EQ(message({4, 2}), "") << format;
+    EXPECT_NE(message({3, 2}).find("more than the 3 vertices accepted"), std::string::npos)
+        << format << ": " << message({3, 2});
+    EXPECT_NE(message({4, 1}).find("more than the 1 triangles accepted"), std::string::npos)
+        << format << ": " << message({4, 1});
+  }
+}
+
+TEST(MeshFile, AnObjFileHasNoMoreLinesOrNamesThanTriangles) {
+  const auto code = [](const std::string& text) {
+    const auto mesh =
+        read_mesh("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n" + text, "obj", kMostUnpackedSent, {10, 3});
+    return mesh ? std::optional<ErrorCode>() : mesh.errors().front().code;
+  };
+  EXPECT_EQ(code("l 1 2\nl 2 3\nl 3 1\n"), std::nullopt);
+  EXPECT_EQ(code("l 1 2\nl 2 3\nl 3 1\nl 1 2\n# end\n"), ErrorCode::OutOfRange);
+  EXPECT_EQ(code("g a\ng b\ng c\ng d\n# end\n"), ErrorCode::OutOfRange);
 }
 
 TEST(MeshFile, ATriangleThatNamesAVertexTwiceIsLeftOut) {

@@ -83,6 +83,11 @@ ImportSource saddled(ImportSource source, double saddle_mm, double depth = 1.0) 
   };
   for (TriangleMesh& mesh : source.leaflets) raised(mesh.vertices_mm);
   raised(source.annulus_mm);
+  for (ImportedChorda& chorda : source.chordae) {
+    Points insertion = chorda.insertion_mm.transpose();
+    raised(insertion);
+    chorda.insertion_mm = insertion.row(0);
+  }
   return source;
 }
 
@@ -122,14 +127,32 @@ TEST(Plausibility, AnAnnulusDeeperThanWideIsLookedAt) {
   ImportSource stretched = saddled(cone_source(), 4.0);
   for (TriangleMesh& mesh : stretched.leaflets) mesh.vertices_mm.col(1) *= 1.15;
   stretched.annulus_mm.col(1) *= 1.15;
-  EXPECT_EQ(looked_at(stretched), std::vector<std::string>{"size"});
+  const auto subjects = looked_at(stretched);
+  EXPECT_NE(std::find(subjects.begin(), subjects.end(), "size"), subjects.end());
 }
 
-TEST(Plausibility, AContourBesideTheLeafletsIsLookedAt) {
+TEST(Plausibility, LeafletsTooShortOrTooTallForTheirAnnulusAreLookedAt) {
+  // Of the cone both heights together are 0.90 of the diameter.
+  for (const double depth : {0.7, 2.6}) {
+    ImportSource source = saddled(cone_source(), 4.0, depth);
+    for (ImportedChorda& chorda : source.chordae) chorda.tip_mm.z() -= 30.0;
+    const auto subjects = looked_at(source);
+    EXPECT_NE(std::find(subjects.begin(), subjects.end(), "size"), subjects.end()) << depth;
+  }
+}
+
+TEST(Plausibility, AContourBesideTheLeafletsIsLookedAtBeyondItsBand) {
   ImportSource source = cone_source();
   source.annulus_mm.col(2).array() += 2.5;
-  const auto subjects = looked_at(source);
-  EXPECT_NE(std::find(subjects.begin(), subjects.end(), "contour"), subjects.end());
+  const auto has_contour = [&] {
+    const auto subjects = looked_at(source);
+    return std::find(subjects.begin(), subjects.end(), "contour") != subjects.end();
+  };
+  EXPECT_TRUE(has_contour());
+  source.annulus_band_mm = 1.2;
+  EXPECT_TRUE(has_contour());
+  source.annulus_band_mm = 1.8;
+  EXPECT_FALSE(has_contour());
 }
 
 /// Two sheets without tips.
@@ -159,6 +182,36 @@ TEST(Plausibility, TheAtriumIsNotToldByASignOfRounding) {
   const Expected<ImportedValve> disagrees = made(-4.0, 1.0);
   ASSERT_TRUE(disagrees) << disagrees.errors()[0].message;
   EXPECT_TRUE(atrium(*disagrees).look);
+}
+
+TEST(Plausibility, NamedChambersTellTheAtriumOrDisagree) {
+  const auto framed = [](double depth, double saddle_mm, AnnulusSide side, double up_mm) {
+    ImportSource source = flat_sheets(saddle_mm, depth);
+    source.witnesses = {{side, {0.0, 0.0, up_mm}}};
+    return into_import_frame(source, {true, false, false});
+  };
+  const Expected<FramedSource> hangs = framed(1.0, 4.0, AnnulusSide::Atrium, 20.0),
+                               against = framed(1.0, 4.0, AnnulusSide::Ventricle, 20.0),
+                               beside = framed(1.0, 4.0, AnnulusSide::Ventricle, 2.0),
+                               flat = framed(0.05, 0.0, AnnulusSide::Ventricle, 20.0);
+  ASSERT_TRUE(hangs && against && beside && flat);
+  EXPECT_FALSE(hangs->atrium.look) << sentence(hangs->atrium);
+  EXPECT_NE(hangs->atrium.reason.find("this side, too"), std::string::npos);
+  EXPECT_TRUE(against->atrium.look) << sentence(against->atrium);
+  EXPECT_GT(against->patient.axes(2, 2), 0.0) << "as they hang";
+  EXPECT_FALSE(beside->atrium.look) << sentence(beside->atrium);
+  EXPECT_FALSE(flat->atrium.look) << sentence(flat->atrium);
+  EXPECT_LT(flat->patient.axes(2, 2), 0.0) << "nothing else tells";
+}
+
+TEST(Plausibility, AFlipAgainstHangingAndSaddleIsLookedAt) {
+  const auto flipped = [](double saddle_mm) {
+    return into_import_frame(flat_sheets(saddle_mm, 1.0), {true, false, true});
+  };
+  const Expected<FramedSource> against = flipped(4.0), with_saddle = flipped(-4.0);
+  ASSERT_TRUE(against && with_saddle);
+  EXPECT_TRUE(against->atrium.look);
+  EXPECT_FALSE(with_saddle->atrium.look);
 }
 
 TEST(Plausibility, AShellThatIsStretchedIsThickerAlongOneDirection) {

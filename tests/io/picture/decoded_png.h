@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -47,6 +48,17 @@ inline long blue_pixels(const DecodedPng& png, int first, int end) {
       count += blue > 0xC0u && red < 0x40u;
     }
   return count;
+}
+
+/// Whether words warn (palette::kWarning).
+inline bool warns(const DecodedPng& png) {
+  constexpr int kWords = 50, kNear = 6;
+  const auto near = [](std::uint32_t part, int value) {
+    return std::abs(static_cast<int>(part & 0xFFu) - value) <= kNear;
+  };
+  return std::count_if(png.pixels.begin(), png.pixels.end(), [&](std::uint32_t pixel) {
+           return near(pixel >> 16, 0xBF) && near(pixel >> 8, 0x1C) && near(pixel, 0x1C);
+         }) > kWords;
 }
 
 }  // namespace coapt

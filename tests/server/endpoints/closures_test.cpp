@@ -2,6 +2,7 @@
 
 #include "io/exchange/formats.h"
 #include "io/json/result_json.h"
+#include "operations/table.h"
 #include "tests/server/endpoints/service_scene.h"
 
 namespace coapt {
@@ -158,6 +159,22 @@ TEST_F(ClosuresTest, ALabelMapIsDrawnOnTheGridThatIsAskedFor) {
     bad["grid"][member] = wrong;
     EXPECT_EQ(post("/v1/exports", bad).status, 422) << wrong;
   }
+}
+
+TEST_F(ClosuresTest, VoxelsAreCountedForEachLabelMapThatIsAskedFor) {
+  Json request = {{"valve", small_document()}, {"formats", {"ply", "nrrd", "nii", "nii.gz"}}};
+  request["grid"] = {{"size", {60, 50, 40}},
+                     {"to_lps_mm", {{1, 0, 0, -25}, {0, 1, 0, -25}, {0, 0, 1, -35}}}};
+  Context context{.limits = OperationLimits::unlimited()};
+  EXPECT_DOUBLE_EQ(read_export_files(request, context)->seconds, 25e-9 * 3 * 60 * 50 * 40);
+  request["grid"]["size"] = {320, 320, 320};
+  EXPECT_TRUE(read_export_files(request, context)) << "without limits each has its own";
+  const Answer refused = post("/v1/exports:files", request);
+  EXPECT_EQ(refusal(refused), (Refused{422, {"/grid"}})) << "before it is closed";
+  EXPECT_NE(content_bytes(refused).find("for each of 3 label maps"), std::string::npos);
+  request["formats"] = {"ply", "stl"};
+  EXPECT_EQ(read_export_files(request, context)->seconds, 0.0);
+  EXPECT_EQ(post("/v1/exports:files", request).status, 200) << "none is a label map";
 }
 
 TEST_F(ClosuresTest, APictureIsAPng) {

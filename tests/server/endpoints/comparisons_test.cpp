@@ -1,3 +1,8 @@
+#include <array>
+#include <vector>
+
+#include "operations/surface_file.h"
+#include "operations/table.h"
 #include "tests/server/endpoints/service_scene.h"
 
 namespace coapt {
@@ -11,6 +16,20 @@ Json sheet(double z_mm) {
 
 Json file(const char* name) {
   return {{"file", {{"name", name}, {"text", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}}}};
+}
+
+/// A polygon of so many triangles that are all the same two.
+Json fan(int triangles) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2";
+  for (int i = 0; i < triangles; ++i) text += i % 2 == 0 ? " 3" : " 2";
+  return {{"file", {{"name", "fan.obj"}, {"text", text + '\n'}}}};
+}
+
+/// A triangle so many times, as numbers.
+Json repeated(int triangles) {
+  Json shape = sheet(0.0);
+  shape["mesh"]["faces"] = std::vector(static_cast<std::size_t>(triangles), std::array{0, 1, 2});
+  return shape;
 }
 
 using ComparisonsTest = ServiceTest;
@@ -59,6 +78,42 @@ TEST_F(ComparisonsTest, AMeshOfMoreVerticesThanTheServiceTakesIsRefused) {
   limits_.vertices = 0;
   EXPECT_EQ(refusal(post("/v1/comparisons", {{"closed", sheet(0.0)}, {"reference", sheet(1.0)}})),
             (Refused{422, {"/closed", "/reference"}}));
+}
+
+TEST_F(ComparisonsTest, AMeshOfMoreTrianglesThanTheServiceTakesIsRefused) {
+  limits_.vertices = 1;  // 20 vertices, 40 triangles
+  const auto answer = [this](const Json& closed) {
+    return post("/v1/comparisons", {{"closed", closed}, {"reference", sheet(1.0)}});
+  };
+  EXPECT_EQ(answer(repeated(40)).status, 200);
+  EXPECT_EQ(refusal(answer(repeated(41))), (Refused{422, {"/closed"}}));
+  EXPECT_EQ(answer(fan(40)).status, 200);
+  const Answer refused = answer(fan(41));
+  EXPECT_EQ(refusal(refused), (Refused{422, {"/closed/file/faces"}})) << "while it is read";
+  EXPECT_NE(content_bytes(refused).find("more than the 40 triangles accepted"), std::string::npos);
+}
+
+TEST_F(ComparisonsTest, FilesAreReadInATurnAndNotWithTheBody) {
+  const Json wrong = {{"closed", sheet(0.0)}, {"reference", file("flat.step")}};
+  EXPECT_EQ(post("/v1/comparisons", wrong).status, 422);
+  const Compute::Turn other(compute());
+  EXPECT_EQ(post("/v1/comparisons", wrong).status, 503) << "it is not known what is wrong with it";
+  EXPECT_EQ(post("/v1/comparisons", {{"closed", 1}, {"reference", file("flat.obj")}}).status, 422);
+}
+
+TEST_F(ComparisonsTest, ASurfaceCostsItsVerticesOrHalfOfItsTriangles) {
+  Context context{.limits = OperationLimits::unlimited(), .surface_of = read_surface_file};
+  const auto asked = [&](const Json& closed) {
+    return *read_compare({{"closed", closed}, {"reference", sheet(1.0)}}, context);
+  };
+  EXPECT_EQ(asked(sheet(0.0)).vertices, 3);
+  EXPECT_EQ(asked(repeated(200)).vertices, 100);
+  EXPECT_FALSE(asked(repeated(200)).read_files) << "there are none";
+  const OperationTask of_a_file = asked(fan(200));
+  ASSERT_TRUE(of_a_file.read_files);
+  EXPECT_EQ(*of_a_file.read_files(context), 100);
+  EXPECT_TRUE(of_a_file.run(context));
+  EXPECT_TRUE(asked(fan(200)).run(context)) << "which reads it, where nobody did";
 }
 
 }  // namespace

@@ -71,6 +71,16 @@ TEST_F(ImportsTest, AFolderOfSlicerHeartIsAListOfFiles) {
   EXPECT_EQ(refusal(refused).paths.front(), "/slicerheart");
 }
 
+TEST_F(ImportsTest, OptionsThatChangeNothingAreSaid) {
+  Json request = cone_request();
+  request["hidden_mm"] = 5;
+  const Answer answer = post("/v1/valves:import", request);
+  ASSERT_EQ(answer.status, 201) << json_of(answer);
+  const Json said = decision_about(json_of(answer)["decisions"], "options");
+  EXPECT_EQ(said["value"], "hidden height not used");
+  EXPECT_EQ(said["look"], true);
+}
+
 TEST_F(ImportsTest, ThicknessAndObservationsAreOfTheValve) {
   Json request = cone_request();
   request["thickness_mm"] = 1.4;
@@ -345,6 +355,49 @@ TEST_F(ImportsTest, FilesAreReadApartToTheSameAnswers) {
   }
   EXPECT_FALSE(
       apart(ImportStep::Valve, cone_request().dump(), {.cancelled = [] { return true; }}, 60.0));
+}
+
+TEST_F(ImportsTest, ASurfaceIsReadApartToTheSameMesh) {
+  const std::unique_ptr<ReaderProcesses> processes = import_processes(limits_);
+  const ImportReader here{limits_}, apart{limits_, processes.get()};
+  const NamedFile file{"two\n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n"};
+  const Expected<LeafletMesh> one = read_surface(here, file, {}, {}),
+                              other = read_surface(apart, file, {}, {});
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->vertices_mm, other->vertices_mm);
+  EXPECT_EQ(one->faces, other->faces);
+  EXPECT_EQ(one->leaflets, other->leaflets);
+  const Expected<LeafletMesh> none = read_surface(apart, {"a.obj", "v 1 2"}, {}, {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.errors()[0].path, "/vertices_mm/0");
+}
+
+TEST_F(ImportsTest, ASurfaceToFitHasNoMoreThanTheServiceTakes) {
+  Json request = fit_request();
+  ASSERT_EQ(post("/v1/imports", request).status, 202);
+  std::string fans = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", fan = "f 1";
+  for (int i = 0; i < 499; ++i) fan += " 2 3";  // 997 triangles
+  const int most = 40 * limits_.vertices;
+  for (int i = 0; i <= most / 997; ++i) fans += fan + '\n';
+  request["fit"]["surface"] = {{"name", "fans.obj"}, {"text", fans}};
+  const Answer answer = post("/v1/imports", request);
+  EXPECT_EQ(refusal(answer), (Refused{422, {"/fit/surface/faces"}}));
+  EXPECT_NE(content_bytes(answer).find(std::to_string(most) + " triangles accepted"),
+            std::string::npos);
+}
+
+TEST_F(ImportsTest, AnAnswerOfAReaderThatIsNoDocumentIsAnErrorOfItsOwn) {
+  const ReaderProcesses confused([](std::string_view) -> std::string { return "200{"; },
+                                 limits_.import_bytes);
+  const ImportReader reader{limits_, &confused};
+  Request request;
+  request.body = cone_request().dump();
+  const Answer answer = ImportValve({store(), reader, compute()})(request);
+  EXPECT_EQ(answer.status, 422);
+  EXPECT_NE(content_bytes(answer).find("the answer of the reading process"), std::string::npos);
+  const Expected<LeafletMesh> surface = read_surface(reader, {"a.obj", ""}, {}, {});
+  ASSERT_FALSE(surface);
+  EXPECT_EQ(surface.errors()[0].code, ErrorCode::InputOutput);
 }
 
 TEST_F(ImportsTest, AReaderThatDiesIsTheProblemOfItsRequest) {

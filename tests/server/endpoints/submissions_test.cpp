@@ -41,6 +41,30 @@ TEST_F(SubmissionsTest, AStudyBecomesAJobThatWaits) {
   EXPECT_EQ(board().take()->job.request, R"({"name":"annulus"})");
 }
 
+TEST_F(SubmissionsTest, TheSurfaceOfAFitIsReadInATurnBeforeItsJobIsTaken) {
+  const auto fit = [&](const Json& surface) {
+    return post("/v1/fits", {{"valve", small_document()}, {"surface", surface}});
+  };
+  const Json points = {{"mesh", {{"vertices_mm", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}}};
+  const Json file = {{"file", {{"name", "points.csv"}, {"text", "0,0,0\n1,0,0\n0,1,0\n"}}}};
+  const Json damaged = {{"file", {{"name", "points.csv"}, {"text", "0,0\n"}}}};
+  EXPECT_EQ(fit(damaged).status, 422);
+  EXPECT_TRUE(refusal(fit(damaged)).paths.front().starts_with("/surface/file"));
+  {
+    const Compute::Turn other(compute());
+    EXPECT_EQ(fit(file).status, 503);
+    EXPECT_EQ(fit(damaged).status, 503);
+    EXPECT_EQ(jobs(), 0u);
+    EXPECT_EQ(fit(points).status, 202) << "there is no file to be read";
+  }
+  EXPECT_EQ(fit(file).status, 202);
+  limits_.vertices = 200;  // 4,000 of a surface
+  std::string many;
+  for (int i = 0; i < 4001; ++i) many += std::to_string(i) + ",0,0\n";
+  EXPECT_EQ(refusal(fit({{"file", {{"name", "points.csv"}, {"text", many}}}})),
+            (Refused{422, {"/surface"}}));
+}
+
 TEST_F(SubmissionsTest, ProblemsOfASearchPointIntoTheRequest) {
   const std::vector<std::pair<const char*, std::vector<std::string>>> cases = {
       {R"({"rules": {"forbidden": ["annuloplasty", 1], "most_neochordae": 5, "x": 1},
