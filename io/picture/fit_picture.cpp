@@ -1,5 +1,6 @@
 #include "io/picture/fit_picture.h"
 
+#include "core/closure/standing.h"
 #include "io/picture/distance_map.h"
 #include "io/picture/text.h"
 
@@ -33,7 +34,8 @@ std::string fit_map_png(const LeafletMesh& surface, const ValveFit& fit, Measure
   return distance_map_png(
       {surface.vertices_mm, surface.faces, distances, round_range_mm(2.0 * fit.rms_mm),
        name + " compared with the fitted valve",
-       "rms " + fixed(fit.rms_mm, 3) + " mm; research software, not a medical device"});
+       "rms " + fixed(fit.rms_mm, 3) + " mm; research software, not a medical device",
+       doubt_about(fit.closed.closure)});
 }
 
 std::string fit_sentence(const ValveFit& fit, const std::string& name) {

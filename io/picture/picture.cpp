@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/closure/standing.h"
 #include "io/json/version.h"
 #include "io/picture/atrial_view.h"
 #include "io/picture/repair_paint.h"
@@ -35,16 +36,15 @@ std::vector<Line> caption(const ClosedValve& closed) {
   if (touching < 9)
     lines.push_back(
         {"Leaflets up to " + fixed(coaptation.distance_max_mm, 1) + " mm apart", {15.0}});
-  const bool converged = closed.closure.status == ClosureStatus::Converged;
-  lines.push_back({std::string("Closure ") + to_string(closed.closure.status) + ", residual " +
-                       fixed(closed.closure.residual, 3),
-                   {15.0, converged ? palette::kInk : palette::kWarning}});
-  lines.push_back(closed.closure.crossing
-                      ? Line{"The leaflets cross (" +
-                                 counted(closed.closure.crossing_pairs, "pair") +
-                                 " of triangles); the closure is unreliable",
-                             {15.0, palette::kWarning, Align::Left, true}}
-                      : Line{"The leaflets do not cross", {15.0}});
+  const ClosureResult& closure = closed.closure;
+  const std::string doubt = doubt_about(closure);
+  lines.push_back(
+      {(doubt.empty() ? "Closure converged" : doubt) + ", residual " + fixed(closure.residual, 3),
+       {15.0, doubt.empty() ? palette::kInk : palette::kWarning, Align::Left, !doubt.empty()}});
+  lines.push_back({closure.crossing
+                       ? counted(closure.crossing_pairs, "pair") + " of triangles cross"
+                       : "The leaflets do not cross",
+                   {15.0}});
   return lines;
 }
 

@@ -101,7 +101,8 @@ std::vector<std::string> measures_row(const std::string& name, const ValveMeasur
           fixed(measure.tenting_height_mm, 1),
           fixed(measure.tension_max_n, 2),
           fixed(measure.tension_sum_n, 1),
-          mean_and_sd(independent),
+          fixed(independent.mean, 1),
+          fixed(independent.p95, 1),
           fixed(independent.worst, 1)};
 }
 
@@ -110,8 +111,9 @@ std::string before_and_after(const ValveMeasure& before,
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::vector<std::string>> cells = {
       {"Valve", "Leak, mm²", "Coaptation, mean, mm", "minimum, mm", "Tenting, mm",
-       "Chordal tension, peak, N", "sum, N", "Leak with independent errors, mm²", "worst, mm²"},
-      measures_row("Before", before, {.mean = kUnknown, .sd = kUnknown, .worst = kUnknown})};
+       "Chordal tension, peak, N", "sum, N", "Leak with independent errors, mean, mm²",
+       "95th percentile, mm²", "worst, mm²"},
+      measures_row("Before", before, {.mean = kUnknown, .p95 = kUnknown, .worst = kUnknown})};
   for (const RankedPlan* plan : plans)
     cells.push_back(measures_row("Plan " + std::to_string(plan->rank), plan->measure,
                                  plan->region.independent_leak_mm2));

@@ -171,7 +171,7 @@ std::string leak_figure(const Estimate& before, const Estimate& after) {
 
 std::string figures(const SearchResult& result, const RankedPlan& plan) {
   const ValveMeasure& before = result.before.measure;
-  const LeakStatistics& leak = plan.region.leak_mm2;
+  const bool has_interval = plan.estimates.leak_mm2.execution.has_value();
   const LeakMargin& margin = plan.region.margin_to_leak;
   const ValveMeasure& after = plan.measure;
   const std::string of_variations = varied(plan)
@@ -180,13 +180,12 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
   const std::string moved = fixed(plan.effort.anterolateral_movement_mm, 1) + " / " +
                             fixed(plan.effort.posteromedial_movement_mm, 1) + " mm";
   return "<dl>\n" + leak_figure(result.before_estimates.leak_mm2, plan.estimates.leak_mm2) +
-         key_figure(
-             "Leak with errors of execution",
-             varied(plan) ? mean_and_sd(leak) + " mm²" : mean_and_sd(leak),
-             "± sd; 95th percentile " + fixed(leak.p95, 1) + ", worst " + fixed(leak.worst, 1)) +
+         key_figure("Leak with errors of execution",
+                    execution_words(plan) + (has_interval ? " mm²" : ""),
+                    has_interval ? "5 to 95 %" : "unknown from fewer than five closures") +
          key_figure("Closures with errors of execution that leak less than " +
                         shown(kMildLeak_mm2) + " mm²",
-                    percent(leak.below_5), of_variations) +
+                    percent(plan.region.leak_mm2.below_5), of_variations) +
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
                         " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),

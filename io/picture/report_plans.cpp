@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "core/closure/standing.h"
 #include "io/picture/html.h"
 #include "io/picture/line_chart.h"
 #include "io/picture/report_parts.h"
@@ -30,18 +31,13 @@ std::string failed_draws(const RankedPlan& plan) {
 
 /// "0.1 to 3.5 mm² (5 to 95 %)".
 std::string tissue_words(const Estimate& leak) {
-  if (!leak.tissue) return "unknown";
-  const double half = 0.5 * (leak.tissue->high - leak.tissue->low);
-  return known_tenths(leak.tissue->low, half) + " to " + known_tenths(leak.tissue->high, half) +
-         " mm² (5 to 95 %)";
+  return leak.tissue ? interval_words(*leak.tissue) + " mm² (5 to 95 %)" : "unknown";
 }
 
 std::vector<std::string> doubts_about(const RankedPlan& plan) {
   std::vector<std::string> doubts = plan.warnings;
-  if (plan.status != ClosureStatus::Converged)
-    doubts.push_back(plan.status == ClosureStatus::Diverged ? "the closure diverged"
-                                                            : "the closure did not converge");
-  if (plan.crossing) doubts.push_back("leaflets cross");
+  if (const std::string doubt = doubt_about(plan.status, plan.crossing); !doubt.empty())
+    doubts.push_back(doubt);
   return doubts;
 }
 
@@ -74,13 +70,13 @@ std::string rows_of(const RankedPlan& plan) {
   if (!plan.name.empty()) html += "<strong>" + escape_html(plan.name) + "</strong><br>";
   html += escape_html(short_words(plan)) + "</td>";
   for (const std::string& figure :
-       {words_of(plan.estimates.leak_mm2).value, mean_and_sd(leak), fixed(leak.p95, 1),
-        fixed(leak.worst, 1), percent(leak.below_5), suture_margin(to_leak), angle_margin(to_leak),
+       {words_of(plan.estimates.leak_mm2).value, execution_words(plan), fixed(leak.worst, 1),
+        percent(leak.below_5), suture_margin(to_leak), angle_margin(to_leak),
         fixed(plan.measure.coaptation.height_mean_mm, 1), fixed(plan.measure.tension_max_n, 2)})
     html += cell(figure);
   html += "</tr>\n";
   if (more)
-    html += "<tr class=\"more\"><td></td><td class=\"words\" colspan=\"10\">" +
+    html += "<tr class=\"more\"><td></td><td class=\"words\" colspan=\"9\">" +
             (doubts.empty() ? "" : list_html(doubts, "<ul class=\"warning\">")) + checked +
             "</td></tr>\n";
   return html;
@@ -177,13 +173,12 @@ std::string ranked_section(const PlanReport& report) {
       "class=\"dense\"><thead>"
       "<tr><td class=\"group\" colspan=\"2\"></td><th scope=\"colgroup\" class=\"group\">As "
       "planned</th>"
-      "<th scope=\"colgroup\" class=\"group\" colspan=\"4\">Leak with errors of execution</th>"
+      "<th scope=\"colgroup\" class=\"group\" colspan=\"3\">Leak with errors of execution</th>"
       "<th scope=\"colgroup\" class=\"group\" colspan=\"2\">Margin to leak</th>"
       "<td class=\"group\" colspan=\"2\"></td></tr>"
       "<tr><th scope=\"col\">Rank</th><th scope=\"col\" class=\"words\">Steps</th><th "
       "scope=\"col\">Leak<br>mm²</th>"
-      "<th scope=\"col\">mean ± sd<br>mm²</th><th scope=\"col\">95th p.<br>mm²</th><th "
-      "scope=\"col\">worst<br>mm²</th>"
+      "<th scope=\"col\">5 to 95 %<br>mm²</th><th scope=\"col\">worst<br>mm²</th>"
       "<th scope=\"col\">below<br>5 "
       "mm²</th><th scope=\"col\">length<br>mm</th><th scope=\"col\">angle<br>°</th><th "
       "scope=\"col\">Coap-<br>tation<br>mm</th>"
@@ -191,9 +186,10 @@ std::string ranked_section(const PlanReport& report) {
   for (const RankedPlan& plan : result.plans) html += rows_of(plan);
   return html +
          "</tbody></table></div>\n<p class=\"small\">Leak: the smallest area through which blood "
-         "can flow back, as planned ± numerical error, then estimated with small errors of suture "
-         "length and papillary position around the plan; below 5 mm²: the fraction of these errors "
-         "with a lower leak. Margin: the smallest error with a leak above 1 mm² (0 if the plan "
+         "can flow back, as planned (± numerical error, where no other error is larger), then "
+         "with small errors of suture length and papillary position around the plan; worst, and "
+         "below 5 mm² (the fraction of these errors with a lower leak), are estimated. Margin: the "
+         "smallest error with a leak above 1 mm² (0 if the plan "
          "itself leaks more); length: of a suture, or without one of the distance from tip to "
          "trigone. Coaptation: mean height over nine sections. Tension: highest in any chorda. "
          "Acceptable: leaks less "

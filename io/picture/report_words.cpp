@@ -293,8 +293,9 @@ std::vector<std::string> steps_of(const RankedPlan& plan) {
   return plan.description.empty() ? std::vector<std::string>{"no repair"} : plan.description;
 }
 
-std::string mean_and_sd(const LeakStatistics& leak) {
-  return std::isfinite(leak.mean) ? fixed(leak.mean, 1) + " ± " + fixed(leak.sd, 1) : "n/a";
+std::string execution_words(const RankedPlan& plan) {
+  const std::optional<Interval>& leak_mm2 = plan.estimates.leak_mm2.execution;
+  return leak_mm2 ? interval_words(*leak_mm2) : "n/a";
 }
 
 std::string suture_margin(const LeakMargin& to_leak) {

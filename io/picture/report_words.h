@@ -25,8 +25,8 @@ std::string valve_words(const ClosedValve& before);
 /// The steps in words; "no repair" if there are none.
 std::vector<std::string> steps_of(const RankedPlan& plan);
 
-/// "0.4 ± 0.5", "n/a".
-std::string mean_and_sd(const LeakStatistics& leak);
+/// Of its leak with errors of execution from 5 to 95 %: "0.1 to 1.4", "n/a".
+std::string execution_words(const RankedPlan& plan);
 
 /// "0.75", "> 1.00" where nothing leaks as far as the region goes.
 std::string suture_margin(const LeakMargin& margin);

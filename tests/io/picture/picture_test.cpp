@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/metrics/coaptation.h"
+#include "io/picture/distance_map.h"
 #include "io/picture/section_map.h"
 #include "tests/io/picture/decoded_png.h"
 #include "tests/scenes/sheets.h"
@@ -88,6 +89,31 @@ TEST(ClosurePicture, OfAClosureThatFlewApartSaysSo) {
   const DecodedPng picture = decode_png(closure_picture_png(valve));
   EXPECT_FALSE(picture.pixels.empty());
   EXPECT_EQ(blue_pixels(picture, 0, picture.width), 0);
+}
+
+TEST(ClosurePicture, OfAClosureThatIsNotToBeTrustedWarns) {
+  ClosedValve valve = closed(disc_with_hole(15.0, 5.0));
+  const auto warned = [&] { return warns(decode_png(closure_picture_png(valve))); };
+  EXPECT_FALSE(warned());
+  valve.closure.crossing = true;
+  EXPECT_TRUE(warned());
+  valve.closure.crossing = false;
+  valve.closure.status = ClosureStatus::StepLimit;
+  EXPECT_TRUE(warned());
+}
+
+TEST(DistanceMap, SaysWhatIsNotToBeTrusted) {
+  const ClosedValve disc = closed(disc_with_hole(15.0, 5.0));
+  DistanceMap map{disc.closure.closed_mm,
+                  disc.valve.faces,
+                  std::vector<double>(disc.valve.rest_mm.rows(), 0.0),
+                  1.0,
+                  "disc",
+                  ""};
+  const auto warned = [&] { return warns(decode_png(distance_map_png(map))); };
+  EXPECT_FALSE(warned());
+  map.doubt = "closed: UNRELIABLE: leaflets cross";
+  EXPECT_TRUE(warned());
 }
 
 TEST(ComparisonPicture, ShowsBeforeLeftAndAfterRightInOneScale) {

@@ -33,10 +33,12 @@ std::string first_sheet(const std::string& html) {
 }
 
 TEST(FirstPage, HasTheFiguresThatMatterWithTheirUncertainty) {
-  const std::string page = first_sheet(page_of(search_result()));
+  SearchResult result = search_result();
+  result.plans[0].estimates.leak_mm2.execution = Interval{0.1, 1.4};
+  const std::string page = first_sheet(page_of(result));
   for (const char* part :
-       {"<dd>0.3 mm²<small>before 52.0",
-        "<dd>0.4 ± 0.5 mm²<small>± sd; 95th percentile 1.4, worst 5.6",
+       {"<dd>0.3 (0.1 to 1.4) mm²<small>with errors of execution (5 to 95 %); before 52.0",
+        "Leak with errors of execution</dt><dd>0.1 to 1.4 mm²<small>5 to 95 %<",
         "<dd>99.2 %<small>of 1,089 closures", "<dd>0.75 mm · 4.0°<small>",
         "<dd>6.8 mm<small>minimum 4.8; before 2.6", "<dd>0.61 N<small>before 0.48 N",
         "<dd>2.1 sizes<small>", "<dd>4.6 / 11.5 mm<small>"})

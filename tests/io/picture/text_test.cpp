@@ -45,6 +45,12 @@ TEST(Text, BrokenUtf8IsReplacedAndWholeUtf8Kept) {
       << "direction";
 }
 
+TEST(Text, LinesEndWhereTheyDid) {
+  EXPECT_EQ(printable_lines("a\x1B\r\n\nb\n"), "a  \n\nb\n");
+  EXPECT_EQ(printable_lines("a\nb\x7F"), "a\nb ");
+  EXPECT_EQ(printable_lines(""), "");
+}
+
 TEST(Text, HtmlIsEscaped) {
   EXPECT_EQ(escape_html("<a href=\"x\" id='y'>&</a>"),
             "&lt;a href=&quot;x&quot; id=&#39;y&#39;&gt;&amp;&lt;/a&gt;");

@@ -20,6 +20,7 @@ export type Scene = Schemas['Scene']
 /// What of a scene does not need a closure.
 export type ValveShape = Omit<Scene, 'closure'>
 export type Leak = Schemas['Leak']
+export type Estimate = Schemas['Estimate']
 export type LeakSurfaces = Schemas['LeakSurfaces']
 export type Opening = Schemas['Opening']
 export type OpeningScene = Schemas['OpeningScene']

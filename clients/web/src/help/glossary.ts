@@ -27,7 +27,7 @@ export const GLOSSARY = {
   durability:
     'How far the posteromedial papillary muscle can be displaced by progressing disease before the leak exceeds 5 mm²: the mean over eight simulated courses of up to 12 mm.',
   region:
-    'The plan is closed many times with small errors of execution: lengths off by up to 1 mm and the direction of the papillary tips by up to 5°. The columns show the mean, the standard deviation and the 95th percentile of the leak.',
+    'The plan is closed many times with small errors of execution: lengths off by up to 1 mm and the direction of the papillary tips by up to 5°. The residual leak is the mean + sd over these closures; nine of ten of them leak an area in the interval from 5 to 95 %.',
   pareto:
     'No other ranked plan is better in leak (mean + sd), diastolic opening or reserve against progression without being worse in another of the three.',
   acceptable:

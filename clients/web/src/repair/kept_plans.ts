@@ -3,9 +3,11 @@ import { report } from '../api/calls'
 import { ApiError } from '../api/http'
 import type { RankedPlan } from '../api/types'
 import { button, download, filePicker, h } from '../dom'
-import { counted, number, percent, withUnit } from '../format'
+import { leakInFull } from '../estimate'
+import { counted, percent } from '../format'
 import { iconButton } from '../icons'
 import { HAS_SERVICE } from '../mode'
+import { leakOf } from '../search/figures'
 import { problemList } from '../problems'
 import type { KeptPlan } from '../state/kept_plans'
 import { nameOfValve } from '../state/valves'
@@ -70,14 +72,13 @@ export class KeptPlans {
   private tellBest(): void {
     const kept = this.ofValve()
     const best = bestOf(kept.map(({ id }) => this.scores.get(id)))
-    const leak = best === null ? null : this.scores.get(kept[best]?.id ?? '')?.leak_mm2
+    const score = best === null ? undefined : this.scores.get(kept[best]?.id ?? '')
     this.best.textContent =
-      best === null ? '' : `Best: ${kept[best]?.name ?? ''}. Leak ${number(leak?.mean)} ± ${withUnit(leak?.sd, 'mm²')}.`
+      best === null || !score ? '' : `Best: ${kept[best]?.name ?? ''}. Leak ${leakInFull(leakOf(score))}.`
   }
 
   private item(kept: KeptPlan): HTMLElement {
     const score = this.scores.get(kept.id)
-    const leak = score?.leak_mm2
     const warnings = score ? warningsOf(score) : []
     const name = h('input', {
       type: 'text',
@@ -98,8 +99,8 @@ export class KeptPlans {
       ),
       kept.valve !== this.workspace.valve?.reference && h('p', { class: parts.hint }, `for ${nameOfValve(kept.valve)}`),
       h('p', { class: parts.hint }, kept.plan.steps.map(describe).join('; ')),
-      leak
-        ? h('p', {}, `Leak ${number(leak.mean)} ± ${withUnit(leak.sd, 'mm²')}, below 5 mm² in ${percent(leak.below_5)}`)
+      score
+        ? h('p', {}, `Leak ${leakInFull(leakOf(score))}; below 5 mm² in ${percent(score.leak_mm2.below_5)} of closures`)
         : h('p', { class: parts.hint }, 'Not scored.'),
       warnings.length > 0 && h('ul', { class: parts.warn }, ...warnings.map((warning) => h('li', {}, warning))),
       h(

@@ -2,6 +2,7 @@
 import { evaluate } from '../api/calls'
 import type { Plan, RankedPlan } from '../api/types'
 import { doubts } from '../search/figures'
+import { rankedCost } from '../search/price'
 
 export const REGION_POINTS = 65 // closures a plan
 
@@ -23,10 +24,12 @@ export async function scorePlans(
 /// Index of the one that costs least; null where none has a cost.
 export function bestOf(scores: (RankedPlan | null | undefined)[]): number | null {
   let best: number | null = null
+  let least = Infinity
   scores.forEach((score, i) => {
-    const cost = score?.cost ?? null
-    const least = best === null ? Infinity : (scores[best]?.cost ?? Infinity)
-    if (cost !== null && cost < least) best = i
+    const cost = score ? rankedCost(score) : null
+    if (cost === null || cost >= least) return
+    best = i
+    least = cost
   })
   return best
 }

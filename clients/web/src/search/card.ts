@@ -1,16 +1,15 @@
 // One ranked plan: what is done, what it leaves, how sure that is.
 import type { Job, RankedPlan } from '../api/types'
 import { button, h, type Child } from '../dom'
-import { joined, typeset, withError, withUnit } from '../format'
+import { joined, typeset, withUnit } from '../format'
 import { term } from '../help/term'
 import { HAS_SERVICE } from '../mode'
 import { openValveOf, valveOf } from '../jobs/valves'
 import { problemList } from '../problems'
-import { leakWords } from '../valve/headline'
 import { problemsOf, type Workspace } from '../workspace'
 import { downloadButton, meshDownload, reportLink, saveJson } from '../jobs/downloads'
 import { evidence } from './evidence'
-import { doubts, inWords, isAcceptable, marginWords, meanAndSd } from './figures'
+import { doubts, inWords, isAcceptable, LEAK_BY_EXECUTION, leakFigures, marginWords } from './figures'
 import type { Photos } from './photos'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -129,20 +128,10 @@ function badges(plan: RankedPlan): HTMLElement[] {
 function figures(plan: RankedPlan): HTMLElement {
   const { measure } = plan
   const entries: [Child, string][] = [
-    [term('region', 'Leak with errors of execution'), meanAndSd(plan.leak_mm2)],
-    ['Leak, 95th percentile', withUnit(plan.leak_mm2.p95, 'mm²')],
-    [term('leak', 'Leak as planned'), leakWords(measure)],
-    ...(plan.under_draws
-      ? [['Leak as planned, tissue error', meanAndSd(plan.under_draws.leak_mm2)] satisfies [Child, string]]
-      : []),
-    ...(plan.fine
-      ? [
-          ['Leak on the finer mesh', withError(plan.fine.leak_mm2, plan.fine.leak_mm2_error, 'mm²')] satisfies [
-            Child,
-            string,
-          ],
-        ]
-      : []),
+    ...leakFigures(plan).map(([label, value]): [Child, string] => [
+      label === LEAK_BY_EXECUTION ? term('region', label) : label,
+      value,
+    ]),
     [term('margin', 'Margin to leak'), marginWords(plan)],
     [
       term('coaptation', 'Coaptation, mean (minimum)'),

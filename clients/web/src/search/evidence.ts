@@ -6,7 +6,7 @@ import { lineChart } from '../charts/line_chart'
 import type { Hue } from '../charts/colours'
 import { h, type Child } from '../dom'
 import { number, percent, typeset, words } from '../format'
-import { lengthName, meanAndSd } from './figures'
+import { lengthName } from './figures'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
@@ -55,7 +55,7 @@ function maps(plan: RankedPlan): Child[] {
       h(
         'p',
         { class: parts.hint },
-        `With independent errors of each muscle, the ring and its sutures, and neochordae, the leak is ${meanAndSd(alone)}, at worst ${number(alone.worst)} mm².`,
+        `With independent errors of each muscle, the ring and its sutures, and neochordae, the leak is ${number(alone.mean)} mm² on average, below ${number(alone.p95)} mm² in 95 % of cases, and ${number(alone.worst)} mm² at worst.`,
       ),
   ]
 }

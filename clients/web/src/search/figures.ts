@@ -1,5 +1,6 @@
 // The figures of a ranked plan that matter, and which of two plans has the better one.
-import type { LeakMap, RankedPlan } from '../api/types'
+import type { Estimate, LeakMap, RankedPlan } from '../api/types'
+import { intervalWords, leakEstimate, leakInFull, type Interval } from '../estimate'
 import { counted, number, withUnit } from '../format'
 import { rankedCost } from './price'
 
@@ -34,12 +35,11 @@ export const FIGURES: Figure[] = [
     better: 'lower',
     blur: spread,
   },
-  { label: 'Leak with errors of execution, sd', unit: 'mm²', digits: 2, value: (p) => p.leak_mm2.sd, better: 'lower' },
   {
     label: 'Leak with errors of execution, 95th percentile',
     unit: 'mm²',
     digits: 1,
-    value: (p) => p.leak_mm2.p95,
+    value: (p) => leakOf(p).execution?.[1] ?? null,
     better: 'lower',
     blur: oneClosure,
   },
@@ -118,7 +118,7 @@ export const FIGURES: Figure[] = [
   },
   { label: 'Ring sizes below the true size', unit: '', digits: 1, value: (p) => p.ring_sizes_below, better: 'lower' },
   { label: 'Steps', unit: '', digits: 0, value: (p) => p.plan.steps.length, better: 'lower' },
-  { label: 'Cost, as ranked', unit: 'mm²', digits: 2, value: rankedCost, better: 'lower' },
+  { label: 'Cost', unit: 'mm²', digits: 2, value: rankedCost, better: 'lower' },
 ]
 
 export function shownFigure(figure: Figure, plan: RankedPlan): string {
@@ -143,13 +143,22 @@ export function judge(figure: Figure, a: RankedPlan, b: RankedPlan): Verdict {
   return first < second === (figure.better === 'lower') ? 'first' : 'second'
 }
 
-/// "0.3 ± 0.2", "not known".
-export function meanAndSdCell({ mean, sd }: { mean: number | null; sd: number | null }): string {
-  return mean === null ? 'unknown' : `${number(mean)} ± ${number(sd)}`
+/// The leak as planned, then from 5 to 95 % by each cause.
+export function leakFigures(plan: RankedPlan): [label: string, value: string][] {
+  const leak = leakOf(plan)
+  const range = (interval: Interval | null): string => (interval ? `${intervalWords(interval)} mm²` : number(null))
+  return [
+    ['Leak as planned', leakInFull(leak)],
+    [LEAK_BY_EXECUTION, range(leak.execution)],
+    ['Leak with tissue error, 5 to 95 %', range(leak.tissue)],
+    ['Leak with numerical error, 5 to 95 %', range(leak.numerical)],
+  ]
 }
+export const LEAK_BY_EXECUTION = 'Leak with errors of execution, 5 to 95 %'
 
-export function meanAndSd(statistics: { mean: number | null; sd: number | null }): string {
-  return statistics.mean === null ? 'unknown' : `${meanAndSdCell(statistics)} mm²`
+/// What is known of the leak as planned.
+export function leakOf({ leak, measure }: RankedPlan): Estimate {
+  return leakEstimate({ leak_mm2: measure.leak_mm2, leak: leak ?? measure.leak })
 }
 
 /// "suture more than 1.00 mm, angle more than 5.0°".

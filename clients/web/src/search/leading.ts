@@ -48,7 +48,7 @@ export function leadingPlan(photos: Photos): Leading {
       words.textContent = said
       const entries: [string, string][] = [
         ['leak as planned', withUnit(best.leak_mm2, 'mm²')],
-        ['cost', withUnit(best.cost, 'mm²', 2)],
+        ['cost so far', withUnit(best.cost, 'mm²', 2)],
         ['closed', best.nodes === 1 ? 'as planned' : `with ${counted(best.nodes, 'small error')} of execution`],
       ]
       figures.replaceChildren(...entries.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))))

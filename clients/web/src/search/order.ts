@@ -2,7 +2,7 @@
 // tier that stand together change places, and no others.
 import type { RankedPlan } from '../api/types'
 import { joined, number } from '../format'
-import { costOf, priceItems, type Wanted, type Weights } from './price'
+import { reweightedCost, priceItems, type Wanted, type Weights } from './price'
 
 type Tier = NonNullable<RankedPlan['tier']>
 
@@ -27,7 +27,7 @@ export function reordered(plans: RankedPlan[], own: Weights, wanted: Weights): R
     .map((plan, i) => {
       const ahead = ranked[i - 1] ?? plan
       if (plan.tier === undefined || plan.tier !== ahead.tier) ++run
-      return { plan, run, cost: costOf(plan, own, wanted) ?? Number.POSITIVE_INFINITY }
+      return { plan, run, cost: reweightedCost(plan, own, wanted) ?? Number.POSITIVE_INFINITY }
     })
     .sort((a, b) => a.run - b.run || (a.cost === b.cost ? 0 : a.cost - b.cost)) // infinite ones have no difference
     .map(({ plan }) => plan)
@@ -40,7 +40,7 @@ const isSame = (a: Weights, b: Weights): boolean => JSON.stringify(a) === JSON.s
 export function whyFirst(order: RankedPlan[], own: Weights, { weights, by }: Wanted): string | null {
   const [first, second] = order
   if (!first || !second) return null
-  const [cost, other] = [costOf(first, own, weights), costOf(second, own, weights)]
+  const [cost, other] = [reweightedCost(first, own, weights), reweightedCost(second, own, weights)]
   if (cost === null || other === null) return null
   const plan = by === '' ? 'Plan' : `By ${by}, plan`
   const costs = `${plan} ${first.rank} ranks first with a cost of ${number(cost, 2)} mm²; plan ${second.rank} has ${number(other, 2)}`

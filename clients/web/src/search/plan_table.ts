@@ -7,7 +7,7 @@ import { number, withUnit } from '../format'
 import { term } from '../help/term'
 import { describe } from '../repair/steps'
 import { isAcceptable, openingMm2, type Opened } from './figures'
-import { costOf, type Wanted, type Weights } from './price'
+import { reweightedCost, type Wanted, type Weights } from './price'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
 
@@ -76,7 +76,7 @@ export function planTable(result: SearchResult, cardId: (plan: RankedPlan) => st
     const isOwn = by === ''
     lines.forEach(({ plan, note }, i) => {
       const place = order.indexOf(plan)
-      const cost = `cost ${withUnit(costOf(plan, own, weights), 'mm²', 2)}`
+      const cost = `reweighted cost ${withUnit(reweightedCost(plan, own, weights), 'mm²', 2)}`
       note.replaceChildren(...(isOwn ? tieNote(plan) : [...moved(i + 1, place + 1), ` ${cost}`]))
       note.classList.toggle(searchStyle.moved as string, !isOwn)
     })

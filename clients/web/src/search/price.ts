@@ -55,14 +55,15 @@ export function priceItems(plan: RankedPlan, weights: Weights): PriceItem[] {
   }))
 }
 
-/// What the search ranks a plan by: its cost over the region, with the closure on the finer mesh where all plans have one,
-/// and the price of the disease that it does not outlast.
-export function rankedCost({ cost, fine, durability_price }: RankedPlan): number | null {
+/// What the search ranks a plan by. Results of earlier releases state its parts: the cost over the region, with the closure on the finer
+/// mesh, and the price of the disease that it does not outlast.
+export function rankedCost({ ranked_cost, cost, fine, durability_price }: RankedPlan): number | null {
+  if (ranked_cost !== undefined) return ranked_cost
   return cost === null ? null : (fine?.cost ?? cost) + (durability_price ?? 0) // coapt 0.1 knew neither
 }
 
-/// To the last bit what the search ranks by where its own weights are wanted: sums of rounded prices might swap equal plans.
-export function costOf(plan: RankedPlan, own: Weights, wanted: Weights): number | null {
+/// By the weights wanted; to the last bit what the search ranks by where they are its own: sums of rounded prices might swap equal plans.
+export function reweightedCost(plan: RankedPlan, own: Weights, wanted: Weights): number | null {
   const cost = rankedCost(plan)
   const amounts = plan.cost_terms as CostTerms | undefined
   if (cost === null || !amounts) return cost

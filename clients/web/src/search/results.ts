@@ -2,14 +2,15 @@
 import type { SearchResult } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
+import { leakEstimate, leakInFull } from '../estimate'
 import { grouped, seconds, withUnit } from '../format'
 import { HAS_SERVICE } from '../mode'
 import type { CardContext } from './card'
 import { costChart, endedSeries } from './cost_chart'
 import { downloadButton, reportLink } from '../jobs/downloads'
+import { leakOf } from './figures'
 import { differing, inShort } from './in_short'
 import { ranked } from './ranked'
-import { leakWords } from '../valve/headline'
 import jobsStyle from '../jobs/jobs.module.css'
 import parts from '../style/parts.module.css'
 import searchStyle from './search.module.css'
@@ -38,9 +39,10 @@ function overview(result: SearchResult, context: CardContext): HTMLElement {
   const told = h('div', {})
   const path = `/v1/jobs/${context.job.id}`
   const asked = inShort(differing(result.reproduce.search))
-  const first = result.plans[0]?.measure
+  const [first] = result.plans
   const facts: [string, string][] = [
-    [first ? 'leak before, with plan 1' : 'leak before', leakWords(before, first)],
+    ['leak before', leakInFull(leakEstimate(before))],
+    ...(first ? [['leak with plan 1', leakInFull(leakOf(first))] satisfies [string, string]] : []),
     ['coaptation before, mean', withUnit(before.coaptation.height_mean_mm, 'mm')],
     ['plans tried', `${grouped(result.plans_tried)} of ${grouped(result.plans_possible)}`],
     ['closures', grouped(result.closures)],

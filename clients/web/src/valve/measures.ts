@@ -11,8 +11,8 @@ import valveStyle from './valve.module.css'
 
 type Row = readonly [name: string, words: (c: Closure) => string, of?: Term]
 
-const ROWS: readonly Row[] = [
-  ['Leak, mm²', ({ leak }) => withError(leak.area_mm2, leak.error_mm2), 'leak'],
+export const MEASURES: readonly Row[] = [
+  ['Leak ± numerical error, mm²', ({ leak }) => withError(leak.area_mm2, leak.error_mm2), 'leak'],
   ['Bounds of this area, mm²', ({ leak }) => bounds(leak), 'bounds'],
   ['Coaptation height, mean, mm', (c) => number(c.coaptation.height_mean_mm), 'coaptation'],
   ['Coaptation height, minimum, mm', (c) => number(c.coaptation.height_min_mm), 'coaptation'],
@@ -41,7 +41,7 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
       'table',
       { 'data-part': 'measures' },
       h('tr', {}, h('td', {}), ...columns.map((name) => h('th', { scope: 'col', class: parts.number }, name))),
-      ...ROWS.map(([name, words, of]) =>
+      ...MEASURES.map(([name, words, of]) =>
         row(
           name,
           scenes.map(({ closure }) => words(closure)),

@@ -3,6 +3,7 @@
 // holds the closed shapes of the draws behind the tissue interval, which vary all of tissue and chordae at once.
 import { drawScene } from '../api/calls'
 import type { Scene, ValveDocument } from '../api/types'
+import { intervalWords, type Interval } from '../estimate'
 import { withUnit } from '../format'
 import { valveText } from '../state/valves'
 import { closedNodes } from '../viewer/geometry'
@@ -54,11 +55,10 @@ export function variantWords({ factor, scene }: Variant): string {
 }
 
 /// "Their stiffness alone changes the leak from 30 to 81 mm²; all of tissue and chordae leave it between 37 and 83 mm²."
-export function spreadWords(variants: readonly Variant[], interval: readonly number[] | null): string {
+export function spreadWords(variants: readonly Variant[], interval: Interval | null): string {
   const leaks = variants.map(({ scene }) => scene.closure.leak.area_mm2 ?? NaN).filter(Number.isFinite)
   const whole = (value: number): string => value.toFixed(0)
   const alone = `The stiffness of the leaflets alone changes the leak from ${whole(Math.min(...leaks))} to ${whole(Math.max(...leaks))} mm²`
   if (!interval) return `${alone}.`
-  const [low = NaN, high = NaN] = interval
-  return `${alone}; all that is not known of tissue and chordae leaves it between ${whole(low)} and ${whole(high)} mm².`
+  return `${alone}; all that is not known of tissue and chordae leaves it at ${intervalWords(interval)} mm² (5 to 95 %).`
 }

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { CERTAINTIES } from '../../src/api/calls'
 import type { Information, Measure } from '../../src/api/types'
-import { leakWords, widerTissue } from '../../src/valve/headline'
+import { leakWords } from '../../src/valve/headline'
 import { narrowingWords } from '../../src/valve/information'
 import { certaintyWords, tradeWords } from '../../src/valve/certainty'
 
@@ -15,7 +15,7 @@ const drawn = (tissue: number[] | null, share_removed = 0.78) =>
 
 test('the leak carries the wider of its errors', () => {
   const valve = leaking(58, 6)
-  const large = (information: Information | null) => leakWords(valve, undefined, widerTissue(valve, information))
+  const large = (information: Information | null) => leakWords(valve, undefined, information?.leak.tissue)
   expect(large(null)).toBe('58 ± 6 mm²')
   expect(large(drawn([33.4, 95.2]))).toBe('58 mm² (33 to 95)')
   expect(large(drawn([55, 60]))).toBe('58 ± 6 mm²')
@@ -25,7 +25,7 @@ test('the leak carries the wider of its errors', () => {
 })
 
 test('a repaired leak has the range of the repaired valve', () => {
-  expect(leakWords(leaking(58, 6), leaking(2.13, 0.4), { low: 0.2, high: 7.4 })).toBe('58 → 2 mm² (0 to 7)')
+  expect(leakWords(leaking(58, 6), leaking(2.13, 0.4), [0.2, 7.4])).toBe('58 → 2 mm² (0 to 7)')
 })
 
 test('what narrows the range is named where it tells much', () => {

@@ -1,6 +1,13 @@
 import { expect, test } from 'vitest'
 import type { CostTerms } from '../../src/api/types'
-import { costOf, isAsSearched, priceItems, rankedCost, wantedWeights, AS_SEARCHED } from '../../src/search/price'
+import {
+  reweightedCost,
+  isAsSearched,
+  priceItems,
+  rankedCost,
+  wantedWeights,
+  AS_SEARCHED,
+} from '../../src/search/price'
 import { planOf, termsOf, WEIGHTS } from './plans'
 
 const pricesOf = (terms: Partial<CostTerms>, factors = AS_SEARCHED) =>
@@ -50,8 +57,10 @@ test('a factor multiplies the prices of its objective alone, and none those of f
   expect(doubled('operation')).toEqual({ ...own, steps: 2 })
 })
 
-test('a plan is ranked by its cost with the closure on the finer mesh, and what it does not outlast', () => {
+test('a plan has the one cost that the search ranks it by; results of earlier releases state its parts', () => {
   const plan = planOf({ cost: 3, durability_price: 0.5 })
+  expect(rankedCost({ ...plan, ranked_cost: 4.125 })).toBe(4.125)
+  expect(rankedCost({ ...plan, ranked_cost: null })).toBeNull()
   expect(rankedCost(plan)).toBe(3.5)
   expect(rankedCost({ ...plan, fine: { cost: 3.25 } as typeof plan.fine })).toBe(3.75)
   expect(rankedCost({ ...plan, cost: null })).toBeNull()
@@ -68,22 +77,22 @@ test('learned weights stand for the search’s own and are multiplied; failures 
 
 test('at the search’s own weights the cost is to the last bit what it ranks by, also if it is not the sum of prices', () => {
   const plan = planOf({ cost: 0.1 + 0.2, terms: { leak: 0.3, step: 1e9, untrusted: 1 / 3 } })
-  expect(costOf(plan, WEIGHTS, wantedWeights(WEIGHTS, AS_SEARCHED, { ...WEIGHTS }))).toBe(0.1 + 0.2)
+  expect(reweightedCost(plan, WEIGHTS, wantedWeights(WEIGHTS, AS_SEARCHED, { ...WEIGHTS }))).toBe(0.1 + 0.2)
 })
 
 test('at other weights the cost moves by what they change of the prices', () => {
   const plan = planOf({ terms: { leak: 0.5, step: 2, durability: 4 } }) // 0.5 + 2 + 1
-  expect(costOf(plan, WEIGHTS, WEIGHTS)).toBe(3.5)
+  expect(reweightedCost(plan, WEIGHTS, WEIGHTS)).toBe(3.5)
   const factors = { leak: 0, opening: 4, durability: 4, operation: 0.5 }
-  expect(costOf(plan, WEIGHTS, wantedWeights(WEIGHTS, factors))).toBe(5) // 0 + 1 + 4
-  expect(costOf(plan, WEIGHTS, wantedWeights(WEIGHTS, factors, { step: 3 }))).toBe(7) // 0 + 3 + 4
+  expect(reweightedCost(plan, WEIGHTS, wantedWeights(WEIGHTS, factors))).toBe(5) // 0 + 1 + 4
+  expect(reweightedCost(plan, WEIGHTS, wantedWeights(WEIGHTS, factors, { step: 3 }))).toBe(7) // 0 + 3 + 4
 })
 
 test('a result of a service that states no amounts has its cost and no prices', () => {
   const { cost_terms, ...old } = planOf({ cost: 3 })
   expect(cost_terms).toBeDefined()
   expect(priceItems(old as typeof old & { cost_terms: CostTerms }, WEIGHTS)).toEqual([])
-  expect(costOf(old as typeof old & { cost_terms: CostTerms }, WEIGHTS, { ...WEIGHTS, step: 2 })).toBe(3)
+  expect(reweightedCost(old as typeof old & { cost_terms: CostTerms }, WEIGHTS, { ...WEIGHTS, step: 2 })).toBe(3)
 })
 
 test('factors are the search’s own only if all are 1', () => {

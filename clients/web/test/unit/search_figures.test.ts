@@ -4,9 +4,9 @@ import {
   doubts,
   FIGURES,
   judge,
+  leakFigures,
   lengthName,
   marginWords,
-  meanAndSd,
   shownFigure,
   tieWords,
 } from '../../src/search/figures'
@@ -98,9 +98,16 @@ test('errors of length are of sutures where there are some', () => {
   expect(lengthName(tied('anterolateral', 'posteromedial'))).toBe('suture')
 })
 
-test('an unknown mean is not zero', () => {
-  expect(meanAndSd({ mean: null, sd: null })).toBe('unknown')
-  expect(meanAndSd({ mean: 0.04, sd: 0.1 })).toBe('0.0 ± 0.1 mm²')
+test('a leak is told with the widest of its errors, then by each cause', () => {
+  const leak = { area_mm2: 0.3, numerical: [0, 1.4], tissue: [0.1, 3.5], execution: [0, 14.2] } as const
+  expect(leakFigures({ ...plan({}), leak } as unknown as RankedPlan)).toEqual([
+    ['Leak as planned', '0 mm²; 0 to 14 mm² with errors of execution (5 to 95 %)'],
+    ['Leak with errors of execution, 5 to 95 %', '0 to 14 mm²'],
+    ['Leak with tissue error, 5 to 95 %', '0.1 to 3.5 mm²'],
+    ['Leak with numerical error, 5 to 95 %', '0.0 to 1.4 mm²'],
+  ])
+  const [planned, execution] = leakFigures(plan({ mean: 0.3 })) // of a release that stated no intervals
+  expect([planned?.[1], execution?.[1]]).toEqual(['0.3 mm²', 'unknown'])
 })
 
 test('plans of a class cannot be told apart, also across ranks between', () => {

@@ -28,5 +28,5 @@ test('a variant and the spread are told in words', () => {
     'Leaflets 3.0 times as stiff: leak 80 mm²',
   ])
   expect(spreadWords(variants, null)).toBe('The stiffness of the leaflets alone changes the leak from 20 to 80 mm².')
-  expect(spreadWords(variants, [15, 90])).toContain('leaves it between 15 and 90 mm²')
+  expect(spreadWords(variants, [15, 90])).toContain('leaves it at 15 to 90 mm² (5 to 95 %)')
 })
