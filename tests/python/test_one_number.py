@@ -1,13 +1,15 @@
-"""One quantity has one word and one value: what command line, JSON, CSV, Python and report say of a valve and a plan."""
+"""One quantity has one word and one value: what command line, JSON, CSV, Python, report and page say of a valve and a plan."""
 
 import csv
 import html
 import json
+import os
 import re
+import subprocess
 import unittest
 
 from client_runs import EngineTest, has_engine
-from programs import NO_COMPETENT_PLAN, OK, coapt, small_valve
+from programs import NO_COMPETENT_PLAN, OK, SOURCE, coapt, small_valve
 
 
 def plan_of(shape, size_mm, *steps):
@@ -37,6 +39,7 @@ NEOCHORDA = plan_of(
 )
 SIZE = {"region_points": 9, "model_draws": 8}
 NUMBER = r"-?\d+(?:\.\d+)?"
+WEB = SOURCE / "clients/web"
 
 
 def flags(options):
@@ -167,6 +170,18 @@ class OneNumber:
         row = plan["row"]
         self.assert_printed(0.01 * plan["opening_area_mm2"], row["opening"], before="", after=" cm²")
         self.assert_printed(plan["gradient_mmhg"], row["opening"], before="cm²,", after=" mmHg")
+
+    @unittest.skipUnless((WEB / "node_modules").is_dir(), "the page's packages are not installed")
+    def test_page(self):
+        printed = {"scored": self.scored, "words": self.words, "closed": self.closed, "closed_words": self.closed_words}
+        run = subprocess.run(
+            ["npx", "--no-install", "vitest", "run", "test/unit/one_number.test.ts"],
+            cwd=WEB,
+            env={**os.environ, "VITE_PRINTED": str(self.write("printed.json", printed))},
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
 
     def test_row(self):
         row, python = self.ranked()["row"], self.python.plans[0]

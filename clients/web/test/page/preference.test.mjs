@@ -85,9 +85,9 @@ test('an answer is asked for at once, one at a time, and the focus stays at the 
       const none = Object.fromEntries(Object.keys(plan.cost_terms).map((name) => [name, 0]))
       Object.assign(plan, { status: 'converged', crossing: false, region_failures: 0, closes_robustly: true })
       Object.assign(plan.leak_mm2, { mean: 0.1, sd: 0.1 })
-      Object.assign(plan, { opening_area_mm2: 300, projected_area_mm2: 300, fine: null, durability_price: 0 })
+      Object.assign(plan, { opening_area_mm2: 300, projected_area_mm2: 300 })
       const leak = [0.8, 0.2, 0][i]
-      Object.assign(plan, { cost: i + 1 + leak, cost_terms: { ...none, step: i + 1, leak } })
+      Object.assign(plan, { ranked_cost: i + 1 + leak, cost_terms: { ...none, step: i + 1, leak } })
     })
     await route.fulfill({ response, json: result })
   })

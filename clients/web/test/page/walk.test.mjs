@@ -52,7 +52,7 @@ test('the valve fills the stage at every size, and its leak is the largest text'
 })
 
 test('a word explains itself', async () => {
-  await page.getByRole('button', { name: 'Tenting area' }).click()
+  await page.getByRole('button', { name: 'Tenting area, mm²' }).click()
   await page.locator('[data-part=help]', { hasText: 'count as negative' }).waitFor()
   await page.keyboard.press('Escape')
   await page.locator('[data-part=help]').waitFor({ state: 'hidden' })

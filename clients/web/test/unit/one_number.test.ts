@@ -46,7 +46,7 @@ test('so is that of the valve before', () => {
 })
 
 test('the headline and the measures have the leak of the closure', () => {
-  const leak = /leak +(.*? mm²)/.exec(closedWords)?.[1]
+  const leak = /\n +leak +(.*? mm²)/.exec(closedWords)?.[1]
   expect(leakWords(closed)).toBe(leak)
   expect(leakWords(scored.before as unknown as Closure, closed)).toMatch(new RegExp(`^\\d+(\\.\\d+)? → ${leak}$`))
   expect(`${measured('Leak ± numerical error, mm²')} mm²`).toBe(leak)
