@@ -66,7 +66,8 @@ TEST(OrificeWork, GivesTheTablesBitsInAnyPartsOnAnyThreads) {
 }
 
 TEST(OrificeWork, ATaskIsASixteenthOfTheRunFrom64To256ItemsOfASmallValve) {
-  for (const auto& [items, task_items] : {std::pair(8, 64), {576, 64}, {1'600, 100}, {8'000, 256}}) {
+  for (const auto& [items, task_items] :
+       {std::pair(8, 64), {576, 64}, {1'600, 100}, {8'000, 256}}) {
     const std::vector<ConfigurationKey> keys(items);
     const Expected<Work> work = open_work(*orifice_request(small_valve(), {}, keys));
     ASSERT_TRUE(work);
