@@ -38,12 +38,13 @@ def read_nrrd(content):
 
 
 def probe_to_ras():
-    """As SlicerHeart has it: turned by 40 degrees about an axis that is none of the images', and moved."""
-    x, y, z = numpy.array([2.0, 1.0, -1.5]) / numpy.linalg.norm([2.0, 1.0, -1.5])
-    cross = numpy.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    angle = numpy.radians(40)
-    matrix = numpy.eye(4)
-    matrix[:3, :3] += numpy.sin(angle) * cross + (1 - numpy.cos(angle)) * cross @ cross
+    """As SlicerHeart has it: it turns and moves the example to where a heart lies, along none of the image's axes."""
+    to_the_atrium, to_the_aorta = numpy.array([-0.65, 0.5, 0.55]), numpy.array([-0.6, -0.7, 0.0])  # LPS
+    z = to_the_atrium / numpy.linalg.norm(to_the_atrium)
+    x = numpy.cross(to_the_aorta, z) / numpy.linalg.norm(numpy.cross(to_the_aorta, z))
+    to_lps = numpy.eye(4)
+    to_lps[:3, :3] = numpy.column_stack([x, numpy.cross(z, x), z])
+    matrix = case.FLIP @ to_lps @ case.FLIP
     matrix[:3, 3] = 31.0, -47.0, 112.0
     return matrix
 
