@@ -2,8 +2,8 @@
 """challenge_maps.py VALVES -o MAPS [--share 0.1] [--per-valve 1] [--half tuned|held-out]
 
 Label maps of known valves, on which imports are judged (judge_imports.py): each valve of the folder VALVES (coapt.valve/1, made by
-`coapt population valve`) as a segmentation of TEE would have it, in an oblique frame of its own, with rough surfaces, on voxels of
-0.5, 0.75 or 1 mm; its labels numbered by one of four conventions; a share of the maps damaged in one of twenty ways, in turn.
+`coapt population valve`) as a segmentation of TEE would have it, in an oblique frame of its own, in half of the maps as hearts lie in a
+patient, in half as in the axes of a probe; with rough surfaces, on voxels of 0.5, 0.75 or 1 mm; its labels numbered by one of four conventions; a share of the maps damaged in one of twenty ways, in turn.
 Maps of the same options are the same. truth.json says of each what it shows. Valves of even number are tuned on, the others held out.
 
     coapt population make -n 100 -o adults
@@ -29,6 +29,7 @@ VOXELS_MM = (0.5, 0.75, 1.0)
 THICKNESS_MM = 1.6  # as segmented: tissue and the blur of the image
 ANNULUS_RADIUS_MM = 1.2
 MARGIN_MM = 9.0
+SPREAD_DEG = 20.0  # of hearts in patients, root mean square; assumed
 ROUGHNESS = 0.35  # of a voxel, by which surfaces are moved
 ANTERIOR, POSTERIOR, ANNULUS = 1, 2, 3
 CONVENTIONS = ("coapt", "mvseg", "slicer", "nifti")
@@ -45,6 +46,17 @@ def turned(random):
     q, r = numpy.linalg.qr(random.normal(size=(3, 3)))
     q *= numpy.sign(numpy.diag(r))
     return q if numpy.linalg.det(q) > 0 else q[:, [1, 0, 2]]
+
+
+def as_in_a_patient(random):
+    """Columns x, y, z of a valve in LPS: the apex to the left, in front and below, the aortic root to the right; hearts differ."""
+    z = numpy.array([-0.65, 0.5, 0.55]) / numpy.linalg.norm([-0.65, 0.5, 0.55])
+    x = numpy.cross([-0.6, -0.7, 0.0], z)
+    x /= numpy.linalg.norm(x)
+    by = random.normal(scale=numpy.radians(SPREAD_DEG / numpy.sqrt(3)), size=3)
+    angle, cross = numpy.linalg.norm(by), numpy.array([[0, -by[2], by[1]], [by[2], 0, -by[0]], [-by[1], by[0], 0]])
+    turn = numpy.eye(3) + numpy.sin(angle) / angle * cross + (1 - numpy.cos(angle)) / angle**2 * cross @ cross
+    return turn @ numpy.column_stack([x, numpy.cross(z, x), z])
 
 
 def blurred_noise(random, size):
@@ -75,7 +87,8 @@ class Map:
     def __init__(self, path, voxel, random):
         self.random, self.voxel = random, voxel
         vertices, faces, anterior, loop = read_valve(path)
-        self.axes = turned(random)
+        self.lies = "patient" if random.random() < 0.5 else "probe"
+        self.axes = as_in_a_patient(random) if self.lies == "patient" else turned(random)
         self.shift = random.normal(scale=40.0, size=3)
         step = 0.7 * voxel
         place = lambda points: points @ self.axes.T + self.shift  # noqa: E731
@@ -258,11 +271,12 @@ def main():
                 damaged += 1
             convention = {"contradiction": "nifti", "names-exchanged": "slicer"}.get(kind, convention)
             file = asked.output / f"{i:03d}-{j:02d}.{'nii.gz' if convention == 'nifti' else 'nrrd'}"
-            truth[file.name] = {"valve": str(path), "voxel_mm": voxel, "convention": convention, "damage": kind}
+            of = {"valve": str(path), "voxel_mm": voxel, "convention": convention, "damage": kind}
+            made = Map(path, voxel, numpy.random.default_rng([i, j]))
+            truth[file.name] = of | {"axes": made.lies}
             (asked.output / "truth.json").write_text(json.dumps(truth, indent=1) + "\n")
             if file.exists():  # of a run that was stopped
                 continue
-            made = Map(path, voxel, numpy.random.default_rng([i, j]))
             made.draw()
             if kind:
                 damage(made, kind)

@@ -80,22 +80,25 @@ def main():
             verdict = ("wrong" if off else "right") + (", said" if looks else "")
             why = off or (looks[0] if looks else "")
         counts.setdefault(kind, {}).setdefault(verdict, []).append(name)
-        lines.append((name, of["voxel_mm"], of["convention"], kind, verdict, row["stage"], why))
+        lines.append((name, of["voxel_mm"], of["convention"], of["axes"], kind, verdict, row["stage"], why))
     of_verdict = lambda which: [line for line in lines if which(line)]  # noqa: E731
-    sound = of_verdict(lambda line: line[3] == "sound")
-    refused = [line for line in sound if line[4] == "refused"]
-    silent = of_verdict(lambda line: line[4] == "wrong")
+    sound = of_verdict(lambda line: line[4] == "sound")
+    refused = [line for line in sound if line[5] == "refused"]
+    silent = of_verdict(lambda line: line[5] == "wrong")
     print(f"{len(lines)} maps, {len(sound)} of them sound")
     print(f"wrong valves that passed silently: {len(silent)} of {len(lines)}")
     print(f"refused though right: {len(refused)} of {len(sound)}")
-    unlooked = [line for line in sound if line[4] == "right"]
+    unlooked = [line for line in sound if line[5] == "right"]
     print(f"sound maps that gave the right valve with nothing to look at: {len(unlooked)} of {len(sound)}")
+    for lies in ("patient", "probe"):
+        count = sum(line[3] == lies for line in sound)
+        print(f"  of those in the axes of a {lies}: {sum(line[3] == lies for line in unlooked)} of {count}")
     for kind, verdicts in sorted(counts.items()):
         print(f"  {kind}: " + ", ".join(f"{len(names)} {verdict}" for verdict, names in sorted(verdicts.items())))
     for line in silent + refused:
         print("  " + "; ".join(map(str, line)))
     if asked.output:
-        table = ["map,voxel_mm,convention,damage,verdict,stage,why"]
+        table = ["map,voxel_mm,convention,axes,damage,verdict,stage,why"]
         table += [",".join([*map(str, line[:-1]), '"' + line[-1].replace('"', '""') + '"']) for line in lines]
         asked.output.write_text("\n".join(table) + "\n")
 
