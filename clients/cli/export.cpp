@@ -85,12 +85,10 @@ Expected<Json> read_grid(const std::string& path) {
 /// The files of each format in coapt.export/1.
 std::map<std::string, Files> files_in(const Json& answer) {
   std::map<std::string, Files> files;
-  for (const Json& entry : answer["files"]) {
-    // Nothing beside the folder, whatever a service calls its files.
-    const std::filesystem::path name = entry["name"].get<std::string>();
+  for (const Json& entry : answer["files"])
     files[entry["format"].get<std::string>()].push_back(
-        {name.filename(), decoded_base64(entry["base64"].get<std::string>()).value_or("")});
-  }
+        {entry["name"].get<std::string>(),
+         decoded_base64(entry["base64"].get<std::string>()).value_or("")});
   return files;
 }
 

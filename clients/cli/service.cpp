@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <ctime>
+#include <filesystem>
 #include <thread>
 
 #include "core/valve/printable.h"
@@ -141,7 +142,8 @@ Expected<Reply> call_once(const Service& service, const Call& call) {
                result->has_header("Content-Disposition")};
 }
 
-/// Makes names and strings printable, but for whole files. False: nested too deep.
+/// Makes names and strings printable, but for whole files, and leaves files their names without folders: none is written beside
+/// the folder that a user chose. False: nested too deep.
 bool clean(Json& json, int level = 0) {
   if (level > kMostLevels) return false;
   if (json.is_string()) json = printable(json.get_ref<const std::string&>());
@@ -151,9 +153,13 @@ bool clean(Json& json, int level = 0) {
   Json::object_t members;
   auto& object = json.get_ref<Json::object_t&>();
   members.reserve(object.size());
+  const bool names_file =
+      json.contains("text") || json.contains("base64") || json.contains("bytes");
   for (auto& [name, value] : object) {
     const bool is_file = value.is_string() && (name == "text" || name == "base64");
     if (!is_file && !clean(value, level + 1)) return false;
+    if (names_file && name == "name" && value.is_string())
+      value = std::filesystem::path(value.get_ref<const std::string&>()).filename().string();
     members.emplace_back(printable(name), std::move(value));
   }
   object.swap(members);

@@ -20,7 +20,8 @@ struct Service {
 /// it cannot be reached or does not work; Busy, if it has no time after several tries (its Retry-After is kept).
 Expected<std::string> get(const Service& service, const std::string& path);
 
-/// The same, as JSON. Its names and strings are printable(), but for members "text" and "base64", which hold whole files.
+/// The same, as JSON. Its names and strings are printable(), but for members "text" and "base64", which hold whole files; the name
+/// of a file (beside one of these or "bytes") is without folders.
 Expected<Json> get_json(const Service& service, const std::string& path);
 
 struct ServiceAnswer {

@@ -86,8 +86,7 @@ int fetch_files(const Service& service, const ServiceJob& job, const std::string
   const Expected<Json> listed = get_json(service, job.path + "/files");
   if (!listed) return report_refusal("study", listed.errors(), {});
   for (const Json& file : listed->at("files")) {
-    // Only its last part: a service must not write elsewhere.
-    const std::string name = fs::path(file.at("name").get<std::string>()).filename().string();
+    const std::string name = file.at("name").get<std::string>();
     const Expected<std::string> content = get(service, job.path + "/files/" + name);
     if (!content) return report_refusal("study", content.errors(), {});
     if (const int failed = write_output((fs::path(directory) / name).string(), *content))

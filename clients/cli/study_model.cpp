@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -33,8 +32,7 @@ struct StudyModelArguments {
 /// The files of the answer but for its summary, and the answer. Returns an exit code.
 int write_all(const std::string& directory, const Json& files, const Json& study) {
   const auto write = [&](const std::string& name, const std::string& content) {
-    const std::string plain = std::filesystem::path(name).filename();  // nothing beside the folder
-    return write_output(directory + "/" + plain, content);
+    return write_output(directory + "/" + name, content);
   };
   if (const int failed = write("model.json", study.dump(2) + "\n")) return failed;
   for (const Json& file : files)
