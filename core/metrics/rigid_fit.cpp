@@ -5,7 +5,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/valve/principal_axes.h"
@@ -43,26 +45,27 @@ class Rounds {
   }
 
   SurfaceFit run(const RigidMotion& start, int max_rounds) const {
-    SurfaceFit fit{start, 0.0, 0, false};
-    Pairs pairs = pairs_at(start);
+    SurfaceFit fit{start, std::numeric_limits<double>::infinity(), 0, false};
+    std::optional<Pairs> pairs = pairs_at(start);
+    if (!pairs) return fit;
     int rises = 0;
-    while (fit.rounds < max_rounds && !fit.settled && rises < kMostRises &&
-           !(cancelled_ && cancelled_())) {
-      ++fit.rounds;
-      RigidMotion step = towards_planes(pairs);
-      Pairs next = pairs_at(composed(fit.motion, step));
-      if (!(next.mean_square_mm2 <= pairs.mean_square_mm2)) {
-        step = fit_to_points(pairs.from_mm, pairs.to_mm);
+    while (fit.rounds < max_rounds && !fit.settled && rises < kMostRises) {
+      RigidMotion step = towards_planes(*pairs);
+      std::optional<Pairs> next = pairs_at(composed(fit.motion, step));
+      if (next && !(next->mean_square_mm2 <= pairs->mean_square_mm2)) {
+        step = fit_to_points(pairs->from_mm, pairs->to_mm);
         next = pairs_at(composed(fit.motion, step));
       }
-      const double way = (moved(pairs.from_mm, step) - pairs.from_mm).rowwise().norm().maxCoeff();
+      if (!next) break;
+      ++fit.rounds;
+      const double way = (moved(pairs->from_mm, step) - pairs->from_mm).rowwise().norm().maxCoeff();
       // Then other points pull than before.
-      if (next.mean_square_mm2 > pairs.mean_square_mm2) ++rises;
+      if (next->mean_square_mm2 > pairs->mean_square_mm2) ++rises;
       fit.settled = way <= (rises < kMostRises ? kSettled : kUnsettled) * size_mm_;
       fit.motion = composed(fit.motion, step);
       pairs = std::move(next);
     }
-    fit.rms_mm = std::sqrt(pairs.all_mean_square_mm2);
+    fit.rms_mm = std::sqrt(pairs->all_mean_square_mm2);
     return fit;
   }
 
@@ -75,15 +78,17 @@ class Rounds {
     return (b - a).cross(c - a).normalized();
   }
 
-  Pairs pairs_at(const RigidMotion& motion) const {
+  /// None once cancelled.
+  std::optional<Pairs> pairs_at(const RigidMotion& motion) const {
     const Points at_mm = moved(points_mm_, motion);
-    std::vector<TreePoint> nearest;
+    const std::vector<TreePoint> nearest = nearest_to_each(surface_, at_mm, cancelled_);
+    if (std::ssize(nearest) < at_mm.rows()) return std::nullopt;
     std::vector<Eigen::Index> inside;
     double sum = 0.0;
     for (Eigen::Index i = 0; i < at_mm.rows(); ++i) {
-      nearest.push_back(surface_.nearest(at_mm.row(i).transpose()));
-      sum += nearest.back().distance_mm * nearest.back().distance_mm;
-      if (!edge_.holds(nearest.back())) inside.push_back(i);
+      const TreePoint& at = nearest[static_cast<std::size_t>(i)];
+      sum += at.distance_mm * at.distance_mm;
+      if (!edge_.holds(at)) inside.push_back(i);
     }
     // With too few left to hold the shape, all pull.
     if (std::ssize(inside) < std::max<Eigen::Index>(6, at_mm.rows() / 4)) {

@@ -32,7 +32,8 @@ RigidMotion fit_to_points(const Points& from_mm, const Points& to_mm);
 
 struct SurfaceFit {
   RigidMotion motion;
-  double rms_mm = 0.0;  ///< of the moved points from the surface, all of them
+  /// Of the moved points from the surface, all of them; infinite if cancelled before it was known.
+  double rms_mm = 0.0;
   int rounds = 0;
   bool settled = false;  ///< the last rounds moved hardly anything; else they ran out
 };
@@ -45,7 +46,7 @@ SurfaceFit fit_to_surface(const Points& points_mm, const SurfaceTree& surface,
 
 /// From where the mesh lies and, because it may come from another frame of reference, also from principal axes laid over
 /// principal axes, in eight ways; those count only if their fit is better by a third.
-/// @param cancelled asked in each round; true ends it, not settled
+/// @param cancelled asked as nearest_to_each() does; true, from then on, ends it, not settled
 SurfaceFit fit_mesh_to_surface(const Points& vertices_mm, const Faces& faces,
                                const SurfaceTree& surface,
                                const std::function<bool()>& cancelled = {});

@@ -51,15 +51,18 @@ void measure_nodes(const LeafletMesh& reference, ShapeComparison& comparison) {
   comparison.back = summary_of(comparison.signed_mm);
 }
 
+/// Leaves distances out once cancelled.
 void measure_surface(const LeafletMesh& closed, const SurfaceTree& reference,
-                     ShapeComparison& comparison) {
+                     ShapeComparison& comparison, const std::function<bool()>& cancelled) {
   const Points normals = vertex_normals(reference.vertices_mm(), reference.faces());
   const SurfaceEdge edge(reference.faces());
   const Points& at_mm = comparison.moved_mm;
+  const std::vector<TreePoint> nearest_to = nearest_to_each(reference, at_mm, cancelled);
+  if (std::ssize(nearest_to) < at_mm.rows()) return;
   Index beyond = 0;
   for (Eigen::Index i = 0; i < at_mm.rows(); ++i) {
     const Vec3 point = at_mm.row(i).transpose();
-    const TreePoint nearest = reference.nearest(point);
+    const TreePoint& nearest = nearest_to[static_cast<std::size_t>(i)];
     Vec3 normal = Vec3::Zero();
     for (int k = 0; k < 3; ++k)
       normal += nearest.weights[k] * normals.row(reference.faces()(nearest.face, k)).transpose();
@@ -70,9 +73,9 @@ void measure_surface(const LeafletMesh& closed, const SurfaceTree& reference,
   comparison.beyond_edge_share = static_cast<double>(beyond) / static_cast<double>(at_mm.rows());
   const SurfaceTree back(at_mm, closed.faces);
   std::vector<double> distances;
-  for (Eigen::Index i = 0; i < reference.vertices_mm().rows(); ++i)
-    distances.push_back(back.nearest(reference.vertices_mm().row(i).transpose()).distance_mm);
-  comparison.back = summary_of(distances);
+  for (const TreePoint& nearest : nearest_to_each(back, reference.vertices_mm(), cancelled))
+    distances.push_back(nearest.distance_mm);
+  if (!distances.empty()) comparison.back = summary_of(distances);
 }
 
 }  // namespace
@@ -226,8 +229,9 @@ ShapeComparison compare_shapes(const LeafletMesh& closed, const LeafletMesh& ref
   if (comparison.node_to_node) {
     measure_nodes(reference, comparison);
   } else {
-    measure_surface(closed, surface, comparison);
+    measure_surface(closed, surface, comparison, cancelled);
   }
+  if (comparison.signed_mm.empty()) return comparison;
   comparison.distance = summary_of(comparison.signed_mm);
   double sum = 0.0;
   for (const double distance : comparison.signed_mm) sum += distance;

@@ -71,7 +71,8 @@ struct ShapeComparison {
 };
 
 /// Both without loose vertices and with finite coordinates.
-/// @param cancelled asked in each round of the alignment; true ends it, not settled
+/// @param cancelled asked as nearest_to_each() does; true, from then on, ends it, not settled and without the distances that
+/// are not known yet
 ShapeComparison compare_shapes(const LeafletMesh& closed, const LeafletMesh& reference,
                                Alignment alignment = Alignment::Auto,
                                const std::function<bool()>& cancelled = {});

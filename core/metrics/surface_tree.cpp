@@ -84,6 +84,12 @@ void SurfaceTree::add_box(int first, int count) {
     }
   boxes_.push_back(box);
   if (count <= kTrianglesInLeaf) return;
+  if (std::all_of(begin + 1, end,
+                  [&](const Triangle& t) { return t.corners_mm == begin->corners_mm; })) {
+    std::sort(begin, end, [](const Triangle& a, const Triangle& b) { return a.face < b.face; });
+    boxes_[own].same = true;
+    return;
+  }
   int axis = 0;
   (box.high_mm - box.low_mm).maxCoeff(&axis);
   const int half = count / 2;
@@ -133,9 +139,10 @@ void SurfaceTree::search(const Vec3& point_mm, const Counts& counts, TreePoint& 
     for (int i = box.first; i < box.first + box.count; ++i) {
       const Triangle& triangle = triangles_[static_cast<std::size_t>(i)];
       const double reach_mm = nearest.distance_mm + triangle.radius_mm;
-      if ((point_mm - triangle.centre_mm).squaredNorm() <= reach_mm * reach_mm &&
-          counts(triangle.face))
-        try_triangle(point_mm, triangle.corners_mm, triangle.face, nearest);
+      const bool reached = (point_mm - triangle.centre_mm).squaredNorm() <= reach_mm * reach_mm;
+      const bool tried = reached && counts(triangle.face);
+      if (tried) try_triangle(point_mm, triangle.corners_mm, triangle.face, nearest);
+      if (box.same && (tried || !reached)) break;
     }
     return nearest.distance_mm * nearest.distance_mm;
   };
@@ -192,6 +199,18 @@ TreePoint SurfaceTree::first_hit(const Vec3& from_mm, const Vec3& direction, dou
   };
   descend(limit_mm, bound, leaf);
   return hit;
+}
+
+std::vector<TreePoint> nearest_to_each(const SurfaceTree& surface, const Points& at_mm,
+                                       const std::function<bool()>& cancelled) {
+  constexpr Eigen::Index kLooked = 64;
+  std::vector<TreePoint> nearest;
+  nearest.reserve(static_cast<std::size_t>(at_mm.rows()));
+  for (Eigen::Index i = 0; i < at_mm.rows(); ++i) {
+    if (i % kLooked == 0 && cancelled && cancelled()) break;
+    nearest.push_back(surface.nearest(at_mm.row(i).transpose()));
+  }
+  return nearest;
 }
 
 SurfaceEdge::SurfaceEdge(const Faces& faces)

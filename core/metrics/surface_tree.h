@@ -1,5 +1,6 @@
 // Nearest points of a triangle mesh, and where rays meet it: a tree of boxes over the faces, in its leaves spheres around each
-// face, and inside these the exact distance. Of faces that are as near, the one with the smallest number counts.
+// face, and inside these the exact distance. Of faces that are as near, the one with the smallest number counts. Faces that are
+// one triangle again and again cost no more than one; of many that are nearly one, each may have to be looked at.
 #pragma once
 
 #include <array>
@@ -53,7 +54,8 @@ class SurfaceTree {
   struct Box {
     Vec3 low_mm, high_mm;
     int first = 0, count = 0;
-    int right = 0;  ///< 0: a leaf
+    int right = 0;      ///< 0: a leaf
+    bool same = false;  ///< a leaf of any size: one triangle again and again, by number
   };
   void add_box(int first, int count);
   template <class Bound, class Leaf>
@@ -66,6 +68,12 @@ class SurfaceTree {
   std::vector<Triangle> triangles_;  ///< in the order of the tree
   std::vector<Box> boxes_;           ///< the root first
 };
+
+/// The nearest to each row, in order.
+/// @param cancelled asked every 64 rows, because a row may have to look at every face of a surface that lies on itself; true
+/// leaves out the rows that are left
+std::vector<TreePoint> nearest_to_each(const SurfaceTree& surface, const Points& at_mm,
+                                       const std::function<bool()>& cancelled = {});
 
 /// The boundary of a surface: the edges that one face alone has, and their ends.
 class SurfaceEdge {

@@ -76,6 +76,18 @@ TEST(ShapeComparison, OfOneShapeOnTwoMeshesInTwoFramesIsTheMeshesOwnError) {
   EXPECT_LT(comparison.back.max_mm, 0.06);      // curvature x (cell diagonal)^2 / 8
 }
 
+TEST(ShapeComparison, EndsWhereverItIsCancelled) {
+  const LeafletMesh fine = bowl({-15.0, 15.0, -10.0, 10.0, 60, 40});
+  for (const Alignment alignment : {Alignment::None, Alignment::Rigid})
+    for (const int most : {0, 1, 20, 60}) {
+      int asked = 0;
+      const auto cancelled = [&] { return ++asked > most; };
+      const ShapeComparison comparison = compare_shapes(bowl(), fine, alignment, cancelled);
+      EXPECT_LT(asked, most + 30);
+      EXPECT_LT(comparison.back.max_mm, 1e3);
+    }
+}
+
 TEST(LeafletMesh, HasAPieceForEachSheetAndItsArea) {
   const LeafletMesh left = plane({0.0, 2.0, 0.0, 1.0, 2, 1}, 0.0);
   const LeafletMesh right = plane({0.0, 3.0, 0.0, 4.0, 3, 4}, 5.0);

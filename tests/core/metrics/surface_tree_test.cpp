@@ -97,6 +97,28 @@ TEST(SurfaceTree, LeavesOutFacesThatDoNotCountAndThoseBeyondTheLimit) {
   EXPECT_EQ(tree.nearest_within({0.5, 0.5, 0.0}, 0.4, from_second_cell).face, -1);
 }
 
+TEST(SurfaceTree, LooksAtATriangleThatIsThereAgainAndAgainOnce) {
+  // All that the other 50,000 tell is which numbers count.
+  Points vertices(3, 3);
+  vertices << 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 4.0, 4.0;
+  const SurfaceTree tree(vertices, Eigen::RowVector3i(0, 1, 2).replicate(50'000, 1));
+  int asked = 0;
+  const auto from_third = [&](int face) { return ++asked, face >= 2; };
+  EXPECT_EQ(tree.nearest_within({1.0, 1.0, 9.0}, kFar, from_third).face, 2);
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(tree.nearest({1.0, 1.0, 9.0}).face, 0);
+  EXPECT_EQ(tree.nearest({1.0, 1.0, 9.0}).distance_mm, tree.distance_mm({1.0, 1.0, 9.0}, 7));
+  EXPECT_EQ(tree.nearest({1.0, 1.0, 9.0}, 0.5).face, -1);
+}
+
+TEST(SurfaceTree, LeavesRowsOutOnceCancelled) {
+  const SurfaceTree tree = surface_of_mesh(bowl());
+  int asked = 0;
+  const auto third_time = [&] { return ++asked == 3; };
+  EXPECT_EQ(nearest_to_each(tree, Points::Zero(1000, 3), third_time).size(), 128u);
+  EXPECT_EQ(nearest_to_each(tree, Points::Zero(100, 3)).size(), 100u);
+}
+
 TEST(SurfaceEdge, HoldsTheBoundaryAndNothingElse) {
   const LeafletMesh mesh = plane({0.0, 2.0, 0.0, 2.0, 2, 2}, 0.0);
   const SurfaceTree tree = surface_of_mesh(mesh);
