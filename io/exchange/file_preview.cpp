@@ -99,13 +99,13 @@ const char* to_string(FileContent content) {
   return "";
 }
 
-FilePreview preview_file(const NamedFile& file) {
+FilePreview preview_file(const NamedFile& file, const MeshLimits& most) {
   const std::string format = format_of(file.name);
   if (format == "json") return json_preview(file.bytes);
   if (is_table_format(format)) return csv_preview(file.bytes);
   if (is_label_map_format(format)) return labels_preview(file.bytes);
   if (format == "raw" || format == "zraw") return {FileContent::Unknown, {}, {}, {}, {}};
-  const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format);
+  const Expected<TriangleMesh> mesh = read_mesh(file.bytes, format, kMostUnpackedSent, most);
   if (mesh) return {FileContent::Surface, mesh->vertices_mm, mesh->faces, {}, {}};
   return {FileContent::Unknown, {}, {}, {}, mesh.errors()};
 }

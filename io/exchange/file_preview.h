@@ -21,6 +21,7 @@ struct FilePreview {
   std::vector<SourcePart> parts = {};  ///< the labels of a label map, not yet taken as anything
 };
 
-FilePreview preview_file(const NamedFile& file);
+/// @param most of a surface; one that has more is refused while it is read
+FilePreview preview_file(const NamedFile& file, const MeshLimits& most = {});
 
 }  // namespace coapt

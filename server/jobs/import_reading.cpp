@@ -20,8 +20,9 @@
 namespace coapt {
 namespace {
 
-constexpr std::size_t kMostFiles = 100;           // that are looked at in one request
-constexpr Eigen::Index kMostNumbers = 3'000'000;  // of their points and faces: 25 MB of answer
+constexpr std::size_t kMostFiles = 100;                // that are looked at in one request
+constexpr std::size_t kMostShown = 1'000'000;          // of their points and triangles
+constexpr Eigen::Index kMostNumbers = 3 * kMostShown;  // 25 MB of answer
 
 /// Numbers one after the other, to a millionth: what is looked at needs no more.
 template <class Rows>
@@ -38,7 +39,7 @@ Json flat(const Rows& rows) {
 
 /// Takes what it shows off the numbers that are `left`; without them it is named alone.
 Json preview_json(const NamedFile& file, Eigen::Index& left) {
-  FilePreview preview = preview_file(file);
+  FilePreview preview = preview_file(file, {kMostShown, kMostShown});
   if (const Eigen::Index numbers = preview.points.size() + preview.faces.size(); numbers > left)
     preview = {preview.content,
                {},
