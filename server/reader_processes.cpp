@@ -255,6 +255,8 @@ ReaderProcesses::Result ReaderProcesses::ask(std::string_view question, const Or
   std::array<char, 1 << 16> part{};
   bool is_asked = false;
   while (text.size() <= kHead + kMostAnswered) {
+    // Whole: that the process ends, which takes its memory apart first, is not waited for.
+    if (end_of(text) == End::Answered) return {End::Answered, text.substr(kHead)};
     if (cancelled && cancelled()) return {End::Cancelled, ""};
     if (!is_asked && question.empty()) is_asked = shutdown(mine, SHUT_WR) == 0;
     pollfd ready{mine, static_cast<short>(is_asked ? POLLIN : POLLIN | POLLOUT), 0};
@@ -267,10 +269,7 @@ ReaderProcesses::Result ReaderProcesses::ask(std::string_view question, const Or
     if ((ready.revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
     const ssize_t size = recv(mine, part.data(), part.size(), MSG_DONTWAIT);
     if (size < 0 && (errno == EAGAIN || errno == EINTR)) continue;
-    if (size <= 0) {
-      const End end = end_of(text);
-      return {end, end == End::Answered ? text.substr(kHead) : ""};
-    }
+    if (size <= 0) return {end_of(text), ""};
     text.append(part.data(), static_cast<std::size_t>(size));
   }
   return {};
