@@ -4,7 +4,7 @@ VALVE := examples/valves/bodyparts3d-leaking.json
 FUZZ_LIMIT := -runs=100000
 # Of a reader, with what the sanitizers add.
 FUZZ_MEMORY := -rss_limit_mb=512
-FUZZERS := valve plan mesh image import forms answers endpoints
+FUZZERS := valve plan mesh image roles repair import forms answers endpoints
 SOURCES := $(shell find core search io operations farm server clients/cli clients/engine clients/live clients/python lab tests examples/cpp examples/gallery/cpp cmake -name "*.h" -o -name "*.cpp" -o -name "*.inl")
 
 PYTHON := $(shell find clients/python clients/slicer cmake docs examples lab tests -name "*.py")
@@ -350,11 +350,11 @@ fuzz:  ## 100,000 damaged valves, plans, meshes, images, answers and requests ea
 	cmake --build --preset fuzz
 	build/fuzz/bin/fuzz_seeds build/fuzz/corpus
 	tests/fuzz/file_seeds.py build/fuzz/corpus
-	mkdir -p build/fuzz/corpus/import
+	mkdir -p build/fuzz/corpus/repair build/fuzz/corpus/import
 	$(MAKE) --no-print-directory --output-sync --jobs=$$(nproc) $(addprefix fuzz-,$(FUZZERS))
 
 fuzz-valve fuzz-plan fuzz-answers fuzz-endpoints: FUZZ_MORE := -dict=tests/fuzz/json.dict
-fuzz-import: FUZZ_MORE := -max_len=256
+fuzz-repair fuzz-import: FUZZ_MORE := -max_len=256
 fuzz-endpoints: FUZZ_MEMORY :=
 $(addprefix fuzz-,$(FUZZERS)): fuzz-%:
 	TMPDIR=/dev/shm LSAN_OPTIONS=suppressions=tests/known_leaks.txt build/fuzz/bin/fuzz_$* $(FUZZ_LIMIT) $(FUZZ_MEMORY) -seed=1 $(FUZZ_MORE) build/fuzz/corpus/$*

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""file_seeds.py FOLDER: what fuzz_mesh, fuzz_image and fuzz_forms start from: the files that other programs wrote for the tests, each
-behind the byte that chooses its reader, and small ones of kinds that these are not."""
+"""file_seeds.py FOLDER: what fuzz_mesh, fuzz_image, fuzz_roles and fuzz_forms start from: the files that other programs
+wrote for the tests, each behind the byte that chooses its reader, and small ones of kinds that these are not."""
 
 import bz2
 import gzip
@@ -34,12 +34,17 @@ OTHERS = {
     "mesh/blocks.vtm": bytes([10]) + BLOCKS,
     "mesh/ring.csv": bytes([11]) + b"\xef\xbb\xbf# of a ring\nid;x;y;z\n1;1,5;2,5;3,5\n2;2,5;3,5;4,5\n",
     "mesh/objects.obj": bytes([12]) + OBJECTS,
+    "roles/files": b"\0AMVL.obj\0" + OBJECTS + b"\0P2.stl\0\0annulus.mrk.json\0{}\0tips.csv\0AL,1,2,3\nPM,4,5,6\n\0",
+    "roles/name": b"\1PM papillary tip",
+    "roles/table": b"\2# units: cm\nlabel;x [cm];y;z\nALC;1,5;2,5;3,5\nPMC;2,5;3,5;4,5\n",
+    "roles/surface": b"\3a.obj\0" + OBJECTS,
+    "roles/curve": b"\3ring.csv\0x,y,z\n1,2,3\n2,3,4\n3,4,6\n",
 }
 
 
 def main():
     folder = Path(sys.argv[1])
-    for name in ("mesh", "image", "forms"):
+    for name in ("mesh", "image", "roles", "forms"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     for path in sorted((TESTS / "io/mesh/vtk_files").iterdir()):
         reader = MESH_READERS.get(path.suffix)
