@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
+
+#include "io/mesh/papillary_side.h"
 
 namespace coapt {
 namespace {
@@ -68,15 +69,6 @@ std::vector<int> parents_of(const std::vector<TracedLine>& lines, ProblemList& p
   return parents;
 }
 
-std::optional<Side> side_of_label(std::string label) {
-  std::transform(label.begin(), label.end(), label.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto has = [&](const char* part) { return label.find(part) != std::string::npos; };
-  if (label.starts_with("al") || has("lateral")) return Side::Anterolateral;
-  if (label.starts_with("pm") || has("medial")) return Side::Posteromedial;
-  return {};
-}
-
 /// The labelled tip within reach, or null.
 const LabelledTip* nearest_tip(const Vec3& tip_mm, const std::vector<LabelledTip>& tips) {
   const auto nearest =
@@ -137,7 +129,7 @@ ImportedChorda chorda_of(const std::vector<TracedLine>& lines, const std::vector
 std::vector<ImportedTip> imported_tips(const std::vector<LabelledTip>& tips) {
   std::vector<ImportedTip> imported;
   for (const LabelledTip& tip : tips)
-    if (const std::optional<Side> side = side_of_label(tip.label))
+    if (const std::optional<Side> side = papillary_side(tip.label))
       imported.push_back({*side, tip.position_mm});
   return imported;
 }
@@ -171,7 +163,7 @@ std::vector<ImportedChorda> chorda_trees(const std::vector<TracedLine>& lines,
   const Vec3 medial = posteromedial(source, mean_tip);
   for (std::size_t i = 0; i < chordae.size(); ++i) {
     const LabelledTip* tip = nearest_tip(chordae[i].tip_mm, tips);
-    const std::optional<Side> labelled = tip ? side_of_label(tip->label) : std::nullopt;
+    const std::optional<Side> labelled = tip ? papillary_side(tip->label) : std::nullopt;
     if (tip) chordae[i].pressed_tip_mm = tip->pressed_mm;
     if (!labelled && medial.norm() == 0.0)
       add(lines[trunks[i]], ErrorCode::MissingField,

@@ -58,7 +58,7 @@ GuessedRole role_of_table(const std::string& bytes) {
   if (has_commissures(bytes, "csv"))
     return {FileRole::Landmarks, "its points are labelled ALC or PMC"};
   const bool points = !table->names.empty() && !table->has("papillary") && !table->has("ins_x");
-  if (points && table->has("label") && read_tips_csv(bytes))
+  if (points && (table->has("label") || table->has("name")) && read_tips_csv(bytes))
     return {FileRole::Tips, "its points are labelled AL or PM"};
   if (points) return {FileRole::Annulus, "its columns are x, y, z"};
   if (table->has("ins_x") || row.size() >= kChordaFields)

@@ -279,11 +279,26 @@ void take_leaflets(const ImportFiles& files, const ImportReading& reading, AxesO
   source.order = files.order;
 }
 
+/// Whether a spline by the number of its points would swing between them.
+bool is_uneven(const Points& loop) {
+  constexpr double kEven = 6.0;
+  double shortest = 1e300, longest = 0.0;
+  for (Index i = 0; i < loop.rows(); ++i) {
+    const double side = (loop.row((i + 1) % loop.rows()) - loop.row(i)).norm();
+    if (i + 1 == loop.rows() && side == 0.0) continue;  // the first point again
+    shortest = std::min(shortest, side);
+    longest = std::max(longest, side);
+  }
+  return longest > kEven * shortest;
+}
+
 /// An annulus of so few points that their polygon is more than 0.3 % too short is the smooth curve through them.
 void smooth_few_points(ImportSource& source) {
   constexpr Index kLeast = 6, kFew = 24;
   const Index count = source.annulus_mm.rows();
-  if (count < kLeast || count >= kFew || !source.annulus_mm.allFinite()) return;
+  if (count < kLeast || count >= kFew || !source.annulus_mm.allFinite() ||
+      is_uneven(source.annulus_mm))
+    return;
   Markup curve;
   curve.points_mm = source.annulus_mm;
   const Expected<Points> drawn = drawn_closed_curve(curve);
@@ -347,8 +362,9 @@ void take_others(const ImportFiles& files, AxesOfFiles& axes, ImportSource& sour
   if (files.tips) {
     const std::string format = format_of(files.tips->name);
     take(read_tips(files.tips->bytes, format), "/tips", problems, source.tips);
-    source.tips_unit = unit_of_table(*files.tips, {"papillary", "label"});
-    tell_columns(*files.tips, "papillary tips", {"papillary", "label", "x"}, source);
+    source.tips_unit = unit_of_table(*files.tips, {"papillary", "label", "name"});
+    tell_columns(*files.tips, "papillary tips",
+                 {"papillary", "label", "name", "x", "tip_x", "tip_y", "tip_z"}, source);
     if (axes.turned(*files.tips, "papillary tips", format == "json"))
       for (ImportedTip& tip : source.tips) turn_axes(tip.position_mm);
   }

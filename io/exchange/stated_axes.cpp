@@ -25,7 +25,10 @@ std::optional<PatientAxes> axes_of_table(std::string_view head) {
   if (system.starts_with("LPS") || system.starts_with('1')) return PatientAxes::LPS;
   if (system.starts_with("RAS") || system.starts_with('0')) return PatientAxes::RAS;
   const Expected<CsvTable> table = read_csv(head.substr(0, head.rfind('\n')), {"x"});
-  if (!table || table->has("x")) return {};
+  if (!table) return {};
+  if (table->axes == "ras") return PatientAxes::RAS;
+  if (table->axes == "lps") return PatientAxes::LPS;
+  if (table->has("x")) return {};
   if (table->has("r") && table->has("a")) return PatientAxes::RAS;
   if (table->has("l") && table->has("p")) return PatientAxes::LPS;
   return {};

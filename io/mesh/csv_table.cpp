@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "io/mesh/column_names.h"
 #include "io/mesh/source_units.h"
 
 namespace coapt {
@@ -13,7 +14,8 @@ constexpr std::size_t kMaxRows = 100'000;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::array<std::string_view, 6> kFormats = {"csv", "txt", "tsv", "dat", "xyz", "fcsv"};
 constexpr std::string_view kSlicersColumns = "columns =";
-constexpr std::array<std::string_view, 4> kUnitEndings = {"_mm", "_cm", "_in", "_m"};
+/// Columns of points; beside them, or in a comment, a line of names has all three axes.
+constexpr std::array<std::string_view, 4> kOfPoints = {"x", "papillary", "label", "name"};
 
 /// What is between fields; a blank stands for any number of blanks and tabs.
 char separator_of(std::string_view row) {
@@ -63,30 +65,64 @@ std::string_view without_mark(std::string_view line, bool& comment) {
   return trimmed(line.substr(mark));
 }
 
-bool has_all(const std::vector<std::string>& names, std::string_view letters) {
-  return std::all_of(letters.begin(), letters.end(), [&](char letter) {
-    return std::find(names.begin(), names.end(), std::string(1, letter)) != names.end();
-  });
+bool has_axes(const std::vector<std::string>& names) {
+  const auto has_all = [&](std::initializer_list<const char*> axes) {
+    return std::all_of(axes.begin(), axes.end(), [&](const char* axis) {
+      return std::find(names.begin(), names.end(), axis) != names.end();
+    });
+  };
+  return has_all({"x", "y", "z"}) || has_all({"r", "a", "s"}) || has_all({"l", "p", "s"}) ||
+         has_all({"ins_x", "ins_y", "ins_z"});
 }
 
-/// Of a line that has one of `columns`, whatever is between its fields; else none. Where x is looked for, Slicer's r, a, s and
-/// l, p, s will do; a comment has all three axes, and words after two blanks are not of its names.
-std::vector<std::string> names_in(std::string_view line, bool comment,
-                                  std::initializer_list<std::string_view> columns) {
+/// Between two blanks and more: "Pos X  Pos Y".
+std::vector<std::string_view> split_wide(std::string_view row) {
+  std::vector<std::string_view> found;
+  while (!row.empty() && found.size() < kMaxWords) {
+    const std::size_t gap = row.find("  ");
+    found.push_back(trimmed(row.substr(0, gap)));
+    row = gap == std::string_view::npos ? std::string_view() : trimmed(row.substr(gap));
+  }
+  return found;
+}
+
+bool is_number(std::string_view field) {
+  std::string text(field);
+  std::replace(text.begin(), text.end(), ',', '.');
+  return to_number(text).has_value();
+}
+
+bool holds_a_point(const std::vector<std::string_view>& fields) {
+  return std::count_if(fields.begin(), fields.end(), is_number) >= 3;
+}
+
+/// Lines above the names that hold no point, as some programs write a title.
+bool are_titles(const std::vector<CsvRow>& rows) {
+  return std::none_of(rows.begin(), rows.end(),
+                      [](const CsvRow& row) { return holds_a_point(row.fields); });
+}
+
+/// Of a line that has one of `columns`, whatever is between its fields; else none. Of points, words between blanks and comments are
+/// names if all three axes are among them; words of a comment after two blanks are not of its names.
+std::optional<ColumnNames> names_in(std::string_view line, bool comment,
+                                    std::initializer_list<std::string_view> columns) {
   if (line.starts_with(kSlicersColumns)) line = trimmed(line.substr(kSlicersColumns.size()));
-  if (comment && separator_of(line) != ' ') line = line.substr(0, line.find("  "));
-  std::vector<std::string> names;
-  for (const std::string_view field : split(line, separator_of(line)))
-    names.push_back(plain_name(field));
-  const bool points = std::find(columns.begin(), columns.end(), "x") != columns.end();
+  const char separator = separator_of(line);
+  if (comment && separator != ' ') line = line.substr(0, line.find("  "));
+  if (separator == ' ' && line.find("  ") != std::string_view::npos)
+    if (ColumnNames wide = column_names(split_wide(line)); has_axes(wide.names)) return wide;
+  const std::vector<std::string_view> fields = split(line, separator);
+  if (holds_a_point(fields)) return {};
+  ColumnNames names = column_names(fields);
+  if (has_axes(names.names)) return names;
+  const bool needs_axes = comment || separator == ' ';
   const bool has_one = std::any_of(columns.begin(), columns.end(), [&](std::string_view column) {
-    return !(comment && column == "x") &&
-           std::find(names.begin(), names.end(), column) != names.end();
+    const bool of_points = std::find(kOfPoints.begin(), kOfPoints.end(), column) != kOfPoints.end();
+    return !(needs_axes && of_points) &&
+           std::find(names.names.begin(), names.names.end(), column) != names.names.end();
   });
-  const bool has_axes =
-      points && (has_all(names, "ras") || has_all(names, "lps") || has_all(names, "xyz"));
-  if (!has_one && !has_axes) names.clear();
-  return names;
+  if (has_one) return names;
+  return {};
 }
 
 /// Of a row of units, as some programs write below the names: one for each field, or nothing for what has none; else empty.
@@ -96,7 +132,7 @@ std::vector<std::string> unit_row(std::string_view line) {
     const std::string_view word = trimmed(field.substr(0, field.find_last_not_of(")]") + 1));
     const std::string_view name = word.substr(std::min(word.find_first_not_of("[("), word.size()));
     const bool none = name.empty() || name == "-";
-    if (!none && !unit_named(name)) return {};
+    if (!none && !unit_in_mm(name)) return {};
     units.emplace_back(none ? "" : name);
   }
   const auto stated = std::count_if(units.begin(), units.end(),
@@ -104,21 +140,23 @@ std::vector<std::string> unit_row(std::string_view line) {
   return stated < 3 ? std::vector<std::string>{} : units;
 }
 
-/// Between brackets, or behind an underscore.
-std::string unit_of_name(std::string_view name) {
-  name = unquoted(name);
-  if (const std::size_t open = name.find_first_of("[("); open != std::string_view::npos)
-    return std::string(trimmed(name.substr(open + 1, name.find_first_of("])") - open - 1)));
-  for (const std::string_view unit : kUnitEndings)
-    if (name.size() > unit.size() && name.ends_with(unit)) return std::string(unit.substr(1));
+/// "cm" of a comment "units: cm" or "coordinates in cm"; empty: it states none.
+std::string unit_in_comment(std::string_view comment) {
+  constexpr std::array<std::string_view, 8> kWhat = {
+      "unit", "units", "coordinate", "coordinates", "positions", "points", "length", "lengths"};
+  bool stated = false;
+  std::string word;
+  for (std::size_t i = 0; i <= comment.size(); ++i) {
+    const auto c = i < comment.size() ? static_cast<unsigned char>(comment[i]) : 0;
+    if (std::isalpha(c) != 0 || c >= 0x80) {
+      word += static_cast<char>(std::tolower(c));
+      continue;
+    }
+    if (stated && word != "in" && unit_in_mm(word)) return word;
+    stated = stated || std::find(kWhat.begin(), kWhat.end(), word) != kWhat.end();
+    word.clear();
+  }
   return {};
-}
-
-std::vector<std::string> units_in(std::string_view line) {
-  std::vector<std::string> units;
-  for (const std::string_view field : split(line, separator_of(line)))
-    units.push_back(unit_of_name(field));
-  return units;
 }
 
 /// "x", "s", "tip_z".
@@ -145,8 +183,8 @@ void take_unit_of_coordinates(CsvTable& table) {
   for (std::size_t i = 0; i < std::min(table.names.size(), table.units.size()); ++i) {
     const std::string& unit = table.units[i];
     if (unit.empty() || !is_coordinate(table.names[i])) continue;
-    if (table.unit.empty()) table.unit = unit;
-    if (table.no_unit.empty() && !unit_named(unit) && !is_axes_or_number(unit))
+    if (table.unit.empty()) table.unit = unit_named(unit) || !unit_in_mm(unit) ? unit : "mm";
+    if (table.no_unit.empty() && !unit_in_mm(unit) && !is_axes_or_number(unit))
       table.no_unit = unit;
   }
 }
@@ -154,6 +192,30 @@ void take_unit_of_coordinates(CsvTable& table) {
 /// Whether a first field that has no name is the name of its row, as R writes it: a word, or the row's number.
 bool is_row_name(const std::optional<double>& number, std::size_t row) {
   return !number || *number == static_cast<double>(row) || *number == static_cast<double>(row + 1);
+}
+
+/// "0,1,2" above rows with decimals: pandas's names of columns that have none.
+void take_numbered_names(CsvTable& table) {
+  if (!table.names.empty() || table.rows.size() < 2) return;
+  std::vector<std::string_view> first = table.rows[0].fields;
+  const bool row_names = first.size() == 4 && first[0].empty();
+  if (row_names) first.erase(first.begin());
+  const auto& second = table.rows[1].fields;
+  if (first != std::vector<std::string_view>{"0", "1", "2"} ||
+      std::none_of(second.begin(), second.end(), [](std::string_view field) {
+        return field.find_first_of(".,e") != std::string_view::npos;
+      }))
+    return;
+  table.names = {"x", "y", "z"};
+  if (row_names) table.names.insert(table.names.begin(), "");
+  table.rows.erase(table.rows.begin());
+}
+
+/// Of coordinates without one of their own.
+void take_unit_of_comment(CsvTable& table, const std::string& unit) {
+  if (unit.empty() || !table.unit.empty() || table.rows.empty()) return;
+  table.units.assign(table.rows[0].fields.size(), unit);
+  table.unit = unit_named(unit) ? unit : "mm";
 }
 
 /// Rows end where the names end, but for fields that are not empty; what stands before the first name in every row is the row's name.
@@ -187,23 +249,7 @@ bool is_table_format(std::string_view format) {
   return std::find(kFormats.begin(), kFormats.end(), format) != kFormats.end();
 }
 
-std::string plain_name(std::string_view name) {
-  std::string plain;
-  for (const char letter : unquoted(name))
-    plain += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  if (const std::size_t unit = plain.find_first_of("[("); unit != std::string::npos)
-    plain = std::string(trimmed(std::string_view(plain).substr(0, unit)));
-  for (const std::string_view unit : kUnitEndings)
-    if (plain.size() > unit.size() && plain.ends_with(unit)) {
-      plain.resize(plain.size() - unit.size());
-      break;
-    }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const char between : {':', '_'})
-      if (plain == std::string("points") + between + std::to_string(axis))
-        return std::string(1, "xyz"[axis]);
-  return plain;
-}
+std::string plain_name(std::string_view name) { return column_names({name}).names[0]; }
 
 Expected<CsvTable> read_csv(std::string_view text,
                             std::initializer_list<std::string_view> columns) {
@@ -212,19 +258,24 @@ Expected<CsvTable> read_csv(std::string_view text,
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   CsvTable table;
   char separator = 0;
+  std::string unit_of_comment;
   LineScanner lines(text);
   while (const auto line = lines.next()) {
     bool comment = false;
     const std::string_view content = without_mark(trimmed(line->text), comment);
-    if (content.empty()) continue;
-    if (table.rows.empty()) {
-      if (auto names = names_in(content, comment, columns); !names.empty()) {
-        table.names = std::move(names);
+    if (content.empty() || (content.starts_with("sep=") && content.size() == 5)) continue;
+    if (table.names.empty() ? are_titles(table.rows) : table.rows.empty()) {
+      if (auto names = names_in(content, comment, columns)) {
+        table.names = std::move(names->names);
+        table.units = std::move(names->units);
+        table.axes = std::move(names->axes);
         table.may_go_on = content.starts_with(kSlicersColumns);
-        table.units = units_in(content);
         take_unit_of_coordinates(table);
+        table.rows.clear();
+        separator = 0;
         continue;
       }
+      if (unit_of_comment.empty() && comment) unit_of_comment = unit_in_comment(content);
     }
     if (comment) continue;
     if (table.rows.empty() && !table.names.empty())
@@ -237,12 +288,17 @@ Expected<CsvTable> read_csv(std::string_view text,
       separator = separator_of(content);
       table.decimal_commas = separator != ',';
     }
-    table.rows.push_back({line->number, split(content, separator)});
-    for (const std::string_view field : table.rows.back().fields)
+    std::vector<std::string_view> fields = split(content, separator);
+    if (std::all_of(fields.begin(), fields.end(), [](auto field) { return field.empty(); }))
+      continue;  // ";;;", a spreadsheet's empty row
+    for (const std::string_view field : fields)
       table.decimal_commas = table.decimal_commas || field.find(',') != std::string_view::npos;
+    table.rows.push_back({line->number, std::move(fields)});
     if (table.rows.size() > kMaxRows)
       return Error{ErrorCode::OutOfRange, "", "has more than the 100,000 rows accepted"};
   }
+  if (std::find(columns.begin(), columns.end(), "x") != columns.end()) take_numbered_names(table);
+  take_unit_of_comment(table, unit_of_comment);
   drop_row_names(table);
   return table;
 }

@@ -10,14 +10,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <optional>
 
 #include "core/valve/problem_list.h"
 #include "io/json/json_reader.h"
 #include "io/json/parse_json.h"
+#include "io/mesh/column_names.h"
 #include "io/mesh/csv_table.h"
 #include "io/mesh/import_valve.h"
+#include "io/mesh/papillary_side.h"
 #include "io/mesh/source_units.h"
 
 namespace coapt {
@@ -58,25 +61,38 @@ struct RowReader {
   /// In the unit of the table, whatever its own column states.
   double coordinate(std::string_view column) const {
     const std::optional<double> number = table.number(field(column));
+    const double value = number.value_or(0.0) * in_unit_of_table(columns.find(column)->second);
     if (!number) {
       add(ErrorCode::WrongType, column, "must be a number");
-    } else if (!(*number >= kCoordinateMm.min && *number <= kCoordinateMm.max)) {
-      add(ErrorCode::OutOfRange, column, "is " + shown(*number) + ", must be from -1e5 to 1e5 mm");
+    } else if (!(value >= kCoordinateMm.min && value <= kCoordinateMm.max)) {
+      add(ErrorCode::OutOfRange, column, "is " + shown(value) + ", must be from -1e5 to 1e5 mm");
     } else {
-      return *number * in_unit_of_table(columns.find(column)->second);
+      return value;
     }
     return 0.0;
   }
 
   double in_unit_of_table(std::size_t column) const {
     if (column >= table.units.size() || table.units[column] == table.unit) return 1.0;
-    const auto of_table = unit_named(table.unit), of_column = unit_named(table.units[column]);
-    return of_table && of_column ? in_mm(*of_column) / in_mm(*of_table) : 1.0;
+    const auto of_table = unit_in_mm(table.unit), of_column = unit_in_mm(table.units[column]);
+    return of_table && of_column ? *of_column / *of_table : 1.0;
+  }
+
+  /// Anterolateral and a problem if it is neither.
+  Side side(std::string_view column) const {
+    const std::optional<Side> named = papillary_side(field(column));
+    if (!named)
+      add(ErrorCode::BadReference, column,
+          "must be AL or PM, in any wording (anterolateral, ALPM; posteromedial, PMPM)");
+    return named.value_or(Side::Anterolateral);
   }
 
   /// Index of the field among `names`, 0 and a problem if it is none of them.
   std::size_t choice(std::string_view column, const std::vector<std::string>& names) const {
-    const auto found = std::find(names.begin(), names.end(), field(column));
+    std::string word(field(column));
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto found = std::find(names.begin(), names.end(), word);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     std::string message = "must be one of";
     for (const std::string& name : names) message += ' ' + name;
@@ -101,15 +117,26 @@ std::optional<RowReader> reader(const CsvTable& table, const std::vector<std::st
   return {};
 }
 
+/// Of a table whose headings state axes that are neither LPS nor RAS.
+std::optional<Error> unknown_axes(const CsvTable& table) {
+  if (table.axes.empty() || table.axes == "lps" || table.axes == "ras") return {};
+  std::string axes = table.axes;
+  for (char& letter : axes)
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return Error{ErrorCode::Unsupported, "",
+               "has the axes " + axes + " in the names of its columns; must be LPS or RAS"};
+}
+
 Expected<std::vector<ImportedChorda>> read_chordae_csv(std::string_view text) {
   const Expected<CsvTable> table = read_csv(text, {"papillary"});
   if (!table) return table.errors();
-  const std::vector<std::string> needed = {"id",    "papillary", "ins_x", "ins_y",
-                                           "ins_z", "tip_x",     "tip_y", "tip_z"};
+  if (const auto axes = unknown_axes(*table)) return *axes;
+  const std::vector<std::string> needed = {"papillary", "ins_x", "ins_y", "ins_z",
+                                           "tip_x",     "tip_y", "tip_z"};
   std::vector<std::string> names = table->names;
   if (names.empty()) {
     names = needed;
-    names.insert(names.begin() + 1, "leaflet");
+    for (const char* first : {"leaflet", "id"}) names.insert(names.begin(), first);
   }
   const auto has = [&](std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -126,8 +153,8 @@ Expected<std::vector<ImportedChorda>> read_chordae_csv(std::string_view text) {
     const auto row = reader(*table, names, i, "/chordae", problems);
     if (!row) continue;
     ImportedChorda chorda;
-    chorda.id = row->field("id");
-    chorda.side = side_at(row->choice("papillary", kSides));
+    chorda.id = has("id") ? std::string(row->field("id")) : std::to_string(i + 1);
+    chorda.side = row->side("papillary");
     if (has("kind")) chorda.kind = kind_at(row->choice("kind", kKinds));
     chorda.insertion_mm = {row->coordinate("ins_x"), row->coordinate("ins_y"),
                            row->coordinate("ins_z")};
@@ -181,6 +208,7 @@ namespace {
 
 /// Names of the coordinates, as the columns of a table call them; "x", "y" and "z" of one without names.
 Expected<std::vector<std::string>> point_columns(const CsvTable& table, std::size_t before) {
+  if (const auto axes = unknown_axes(table)) return *axes;
   if (table.names.empty()) {
     std::size_t fields = table.rows.empty() ? 3 + before : table.rows[0].fields.size();
     while (fields > 3 + before && table.rows[0].fields[fields - 1].empty()) --fields;
@@ -190,6 +218,9 @@ Expected<std::vector<std::string>> point_columns(const CsvTable& table, std::siz
                      " columns without names, must have " + std::to_string(3 + before) +
                      ", or names in its first line, x, y and z among them"};
   }
+  const bool of_tips = table.has("tip_x") && table.has("tip_y") && table.has("tip_z");
+  if (of_tips && before > 0 && !table.has("x") && !table.has("ins_x"))
+    return std::vector<std::string>{"tip_x", "tip_y", "tip_z"};
   for (const char* names : {"xyz", "ras", "lps"})
     if (table.has(std::string(1, names[0])) && table.has(std::string(1, names[1])) &&
         table.has(std::string(1, names[2])))
@@ -201,14 +232,6 @@ Expected<std::vector<std::string>> point_columns(const CsvTable& table, std::siz
 std::vector<std::string> names_or(const CsvTable& table,
                                   const std::vector<std::string>& otherwise) {
   return table.names.empty() ? otherwise : table.names;
-}
-
-/// "AL", "PM-2", "anterolateral tip"; in any case.
-std::optional<Side> side_named(std::string_view text) {
-  const std::string name = plain_name(text);
-  if (name.starts_with("al") || name.starts_with("anterolateral")) return Side::Anterolateral;
-  if (name.starts_with("pm") || name.starts_with("posteromedial")) return Side::Posteromedial;
-  return {};
 }
 
 }  // namespace
@@ -238,23 +261,24 @@ std::optional<LengthUnit> stated_unit(std::string_view table,
 }
 
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text) {
-  const Expected<CsvTable> table = read_csv(text, {"papillary", "label"});
+  const Expected<CsvTable> table = read_csv(text, {"papillary", "label", "name"});
   if (!table) return table.errors();
   if (table->rows.empty()) return kEmpty;
   const Expected<std::vector<std::string>> axes = point_columns(*table, 1);
   if (!axes) return axes.errors();
-  const std::string side = table->has("label") ? "label" : "papillary";
+  std::string side = "papillary";
+  for (const char* column : {"label", "name"})
+    if (!table->has(side) && table->has(column)) side = column;
+  if (!table->names.empty() && !table->has(side))
+    return Error{ErrorCode::MissingField, "", "has no column papillary, label or name"};
   ProblemList problems;
   std::vector<ImportedTip> tips;
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     const auto row = reader(*table, names_or(*table, {side, (*axes)[0], (*axes)[1], (*axes)[2]}), i,
                             "/tips", problems);
     if (!row) continue;
-    const auto named = side_named(row->field(side));
-    if (!named)
-      row->add(ErrorCode::BadReference, side, "must be AL or PM, anterolateral or posteromedial");
     tips.push_back(
-        {named.value_or(Side::Anterolateral),
+        {row->side(side),
          {row->coordinate((*axes)[0]), row->coordinate((*axes)[1]), row->coordinate((*axes)[2])}});
   }
   if (!problems.empty()) return std::move(problems).take();

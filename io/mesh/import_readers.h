@@ -18,7 +18,7 @@ Expected<Points> read_points_csv(std::string_view text);
 std::optional<LengthUnit> stated_unit(std::string_view table,
                                       std::initializer_list<std::string_view> columns = {"x"});
 
-/// The same with papillary or label, which begins with AL or PM; without names it comes first.
+/// The same with papillary, label or name, which papillary_side() reads; without names it comes first.
 Expected<std::vector<ImportedTip>> read_tips_csv(std::string_view text);
 
 struct LabelledPoint {
@@ -33,7 +33,7 @@ Expected<std::vector<LabelledPoint>> read_labelled_points_csv(std::string_view t
 LeftOver unused_columns(const CsvTable& table, std::initializer_list<std::string_view> used);
 
 /// @param format is_table_format() or "json".
-/// Table: columns id, papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is
+/// Table: columns id (else the number of the row), papillary (AL or PM), ins_x, ins_y, ins_z, tip_x, tip_y, tip_z and, if there is
 /// one, kind (marginal, strut, basal), named in a comment or in the first line; other columns are
 /// passed over. Without names: id,leaflet,papillary,ins_x,ins_y,ins_z,tip_x,tip_y,tip_z, more
 /// fields are passed over. JSON: {"chordae": [{"id": "1", "papillary": "AL", "kind": "marginal",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -20,9 +21,10 @@ namespace {
 constexpr std::size_t kMostParts = 100;
 
 /// Arrays of cells that number parts, in any case; the first that is there and has more than one number.
-constexpr std::array<std::string_view, 12> kPartArrays = {
-    "leaflet", "leaflets",     "label",   "labels", "region",         "regionid",
-    "part",    "element_sets", "segment", "group",  "material_index", "material"};
+constexpr std::array<std::string_view, 15> kPartArrays = {
+    "leaflet", "leaflets",  "leafletid", "label",          "labels",
+    "region",  "regionid",  "part",      "partid",         "element_sets",
+    "segment", "segmentid", "group",     "material_index", "material"};
 
 using Segments = std::vector<std::array<int, 2>>;
 
@@ -160,11 +162,33 @@ MeshParts stl_parts(StlFile file) {
 struct FaceNumbers {
   std::string name;
   std::vector<double> of_face;
+  const char* of = "cells";  ///< what the file numbers
 };
+
+bool numbers_parts(std::string_view array) {
+  return std::find(kPartArrays.begin(), kPartArrays.end(), lower(std::string(array))) !=
+         kPartArrays.end();
+}
+
+/// Of whole numbers of the points: that of two corners of a triangle, else the middle one; none if they are no such numbers.
+std::vector<double> by_corners(const Faces& faces, const std::vector<double>& of_point,
+                               Eigen::Index points) {
+  std::vector<double> of_face;
+  if (std::ssize(of_point) != points ||
+      std::any_of(of_point.begin(), of_point.end(),
+                  [](double number) { return number != std::floor(number); }))
+    return of_face;
+  for (const auto& face : faces.rowwise()) {
+    const auto corner = [&](int k) { return of_point[static_cast<std::size_t>(face[k])]; };
+    const double a = corner(0), b = corner(1), c = corner(2);
+    of_face.push_back(std::max(std::min(a, b), std::min(std::max(a, b), c)));
+  }
+  return of_face;
+}
 
 /// @param arrays that have a number for each face
 MeshParts parts_by_number(TriangleMesh mesh, const std::vector<FaceNumbers>& arrays,
-                          const char* told_apart_by, std::string& used) {
+                          const FaceNumbers*& used) {
   for (const std::string_view known : kPartArrays)
     for (const FaceNumbers& array : arrays) {
       if (lower(array.name) != known) continue;
@@ -180,23 +204,22 @@ MeshParts parts_by_number(TriangleMesh mesh, const std::vector<FaceNumbers>& arr
         names[of_face.back()] = "number " + significant(value, 3);
       }
       MeshParts parts;
-      parts.told_apart_by = told_apart_by;
-      used = array.name;
+      parts.told_apart_by = "the array " + lower(array.name) + " of the " + array.of;
+      used = &array;
       add_parts(mesh, of_face, parts, names, {});
       return parts;
     }
   return in_large_pieces(std::move(mesh));
 }
 
-/// @param others of points, or of several numbers a face
+/// @param others that nothing reads
 MeshParts array_parts(TriangleMesh mesh, const std::vector<FaceNumbers>& arrays,
-                      std::vector<std::string> others = {},
-                      const char* told_apart_by = "an array of the cells") {
-  std::string used;
-  MeshParts parts = parts_by_number(std::move(mesh), arrays, told_apart_by, used);
+                      std::vector<std::string> others = {}) {
+  const FaceNumbers* used = nullptr;
+  MeshParts parts = parts_by_number(std::move(mesh), arrays, used);
   parts.arrays.of = arrays.size() + others.size();
   for (const FaceNumbers& array : arrays)
-    if (array.name != used) parts.arrays.names.push_back(array.name);
+    if (&array != used) parts.arrays.names.push_back(array.name);
   parts.arrays.names.insert(parts.arrays.names.end(), others.begin(), others.end());
   return parts;
 }
@@ -209,10 +232,11 @@ MeshParts ply_parts(PlyFile file) {
     if (std::ssize(numbers.of_polygon) <= last) continue;
     FaceNumbers& array = arrays.emplace_back();
     array.name = std::move(numbers.name);
+    array.of = "faces";
     for (const int polygon : polygons)
       array.of_face.push_back(numbers.of_polygon[static_cast<std::size_t>(polygon)]);
   }
-  return array_parts(std::move(file.mesh), arrays, {}, "a property of the faces");
+  return array_parts(std::move(file.mesh), arrays);
 }
 
 MeshParts vtk_parts(VtkPolyData data) {
@@ -222,6 +246,11 @@ MeshParts vtk_parts(VtkPolyData data) {
     std::vector<FaceNumbers> arrays;
     for (VtkScalars& scalars : data.face_data)
       arrays.push_back({scalars.name, std::move(scalars.values)});
+    for (const VtkScalars& scalars : data.point_data) {
+      if (!numbers_parts(scalars.name)) continue;
+      std::vector<double> of_face = by_corners(data.faces, scalars.values, data.points_mm.rows());
+      if (!of_face.empty()) arrays.push_back({scalars.name, std::move(of_face), "points"});
+    }
     parts = array_parts({std::move(data.points_mm), std::move(data.faces), {}}, arrays);
   }
   if (line.rows() > 0)
@@ -229,15 +258,19 @@ MeshParts vtk_parts(VtkPolyData data) {
   return parts;
 }
 
-bool numbers_parts(std::string_view array) {
-  return std::find(kPartArrays.begin(), kPartArrays.end(), lower(std::string(array))) !=
-         kPartArrays.end();
-}
-
 MeshParts grid_parts(VtuGrid grid) {
   std::vector<FaceNumbers> arrays;
   std::vector<std::string> others;
-  for (const VtuArray& array : grid.point_data) others.push_back(array.name);
+  std::vector<FaceNumbers> of_points;
+  for (const VtuArray& array : grid.point_data) {
+    std::vector<double> of_face;
+    if (array.components == 1 && numbers_parts(array.name))
+      of_face = by_corners(grid.mesh.faces, array.values, grid.mesh.vertices_mm.rows());
+    if (of_face.empty())
+      others.push_back(array.name);
+    else
+      of_points.push_back({array.name, std::move(of_face), "points"});
+  }
   for (const VtuArray& array : grid.cell_data) {
     if (array.components != 1 || !numbers_parts(array.name)) {
       others.push_back(array.name);
@@ -248,6 +281,8 @@ MeshParts grid_parts(VtuGrid grid) {
     for (const int cell : grid.mesh.polygons)
       numbers.of_face.push_back(array.values[static_cast<std::size_t>(cell)]);
   }
+  // Of one name that of the cells comes first.
+  arrays.insert(arrays.end(), of_points.begin(), of_points.end());
   return array_parts(std::move(grid.mesh), arrays, std::move(others));
 }
 

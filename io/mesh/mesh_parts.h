@@ -1,5 +1,5 @@
-// The parts that one file of meshes holds: objects, groups or materials of OBJ, solids of STL, what an array of the cells numbers
-// in VTK's formats or a property of the faces in PLY, else pieces that do not hang together.
+// The parts that one file of meshes holds: objects, groups or materials of OBJ, solids of STL, what an array of the cells
+// or points numbers in VTK's formats or a property of the faces in PLY, else pieces that do not hang together.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct MeshPart {
 
 struct MeshParts {
   std::vector<MeshPart> parts;  ///< one at least
-  const char* told_apart_by =
-      "";  ///< "objects", "solids", "the array leaflet", "pieces that do not hang together"
+  std::string told_apart_by =
+      "";  ///< "objects", "solids", "the array leaflet of the cells", "connected components"
   LeftOver arrays = {};  ///< but the one that tells the parts apart
 };
 

@@ -8,7 +8,8 @@
 
 namespace coapt {
 
-/// What is wrong with a contour of which one point lies far from the line between its neighbours; empty if none does.
+/// What is wrong with a contour of which one point lies far from the arc between its neighbours, which is of the contour's radius
+/// however far apart they lie; empty if none does.
 /// @param loop closed, n x 3, as given, in any unit
 std::string stray_point(const Points& loop);
 

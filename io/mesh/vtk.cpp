@@ -268,12 +268,12 @@ class VtkReader {
   }
 
   void array(VtkScalars scalars, std::string_view type, long long components) {
-    if (where_ != Data::Cells || components != 1)
+    if (where_ == Data::None || components != 1)
       return pass_over(type, components * tuples_, "/data/" + scalars.name);
     expect(type, tuples_, "/data/" + scalars.name);
     for (long long i = 0; i < tuples_ && good_; ++i)
       scalars.values.push_back(number("/data/" + scalars.name));
-    cell_data_.push_back(std::move(scalars));
+    (where_ == Data::Cells ? cell_data_ : data_.point_data).push_back(std::move(scalars));
   }
 
   void section(std::string_view keyword) {

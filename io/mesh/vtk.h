@@ -34,8 +34,8 @@ inline constexpr const char* kVtkTitle =
 inline constexpr const char* kPatientVtkTitle =
     "coapt: research software, not a medical device; millimetres, axes of the patient; SPACE=LPS";
 
-/// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars of
-/// lines and faces are kept. Errors name the line. ASCII or binary. Of an unstructured grid
+/// Versions 2 to 5. Polylines become pieces, polygons and strips triangles; of the data only scalars
+/// are kept. Errors name the line. ASCII or binary. Of an unstructured grid
 /// the same cells. Unsupported: other datasets, cells with a volume, text
 /// among the data of a binary file.
 Expected<VtkPolyData> read_vtk(std::string_view text, const MeshLimits& limits = {});

@@ -115,6 +115,16 @@ TEST(ImportReaders, TheSamePointsInAnyTable) {
         "x;y;z\n[mm];[mm];[mm]\n1,5;2;3\n4;5;6,5\n",
         "1.5,2,3,\n4,5,6.5,\n",
         "x,y,z\r1.5,2,3\r4,5,6.5\r",
+        "Pos X,Pos Y,Pos Z\n1.5,2,3\n4,5,6.5\n",
+        "Xmm;Ymm;Zmm\n1,5;2;3\n4;5;6,5\n;;\n",
+        "Node Number,X Location (mm),Y Location (mm),Z Location (mm)\n1,1.5,2,3\n2,4,5,6.5\n",
+        "COORD.COOR1,COORD.COOR2,COORD.COOR3\n1.5,2,3\n4,5,6.5\n",
+        "Position_0,Position_1,Position_2,Magnitude\n1.5,2,3,9\n4,5,6.5,9\n",
+        "Var1,Var2,Var3\n1.5,2,3\n4,5,6.5\n",
+        ",0,1,2\n0,1.5,2,3\n1,4,5,6.5\n",
+        "sep=;\nx;y;z\n1,5;2;3\n4;5;6,5\n",
+        "Annulus of case 3\nx,y,z\n1.5,2,3\n4,5,6.5\n",
+        "Pos X  Pos Y  Pos Z\n1.5  2  3\n4  5  6.5\n",
         "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n# columns = "
         "id,x,y,z,ow,label\n"
         "1,1.5,2,3,0,C-1\n2,4,5,6.5,0,C-2\n"}) {
@@ -162,6 +172,10 @@ TEST(ImportReaders, NamesOfAxesStateTheUnit) {
         {"id;X (mm);Y (mm);Z (mm)", LengthUnit::Millimetre},
         {"x_m,y_m,z_m", LengthUnit::Metre},
         {"x (in),y,z", LengthUnit::Inch},
+        {"Xcm,Ycm,Zcm", LengthUnit::Centimetre},
+        {"x in cm,y in cm,z in cm", LengthUnit::Centimetre},
+        {"# units: cm\nx,y,z", LengthUnit::Centimetre},
+        {"x (um),y (um),z (um)", LengthUnit::Millimetre},
         {"x [inch],y [inch],z [inch]", LengthUnit::Inch},
         {"X [Millimetres],Y [Millimetres],Z [Millimetres]", LengthUnit::Millimetre},
         {"x,y,z,time_m", std::nullopt},
@@ -215,6 +229,46 @@ TEST(ImportReaders, TipsByTheirColumnsOrTheirLabels) {
     EXPECT_EQ((*tips)[1].position_mm, Vec3(4, 5, 6)) << table;
   }
   EXPECT_EQ(read_tips_csv("left,1,2,3\n").errors()[0].path, "/tips/0/papillary");
+}
+
+TEST(ImportReaders, MicrometresAreReadAsMillimetres) {
+  for (const char* table :
+       {"x (um),y (um),z (um)\n1500,2000,-3e6\n", "# coordinates in microns\n1500,2000,-3e6\n"}) {
+    const Expected<Points> points = read_points_csv(table);
+    ASSERT_TRUE(points) << points.errors()[0].message;
+    EXPECT_TRUE(points->row(0).isApprox(Eigen::RowVector3d(1.5, 2.0, -3000.0))) << table;
+  }
+}
+
+TEST(ImportReaders, AxesBesideTheNamesAreThoseOfTheTableOrRefused) {
+  for (const char* names : {"x (RAS),y (RAS),z (RAS)", "x_RAS,y_RAS,z_RAS", "x (R),y (A),z (S)"})
+    EXPECT_EQ(read_csv(names + std::string("\n1,2,3\n"), {"x"})->axes, "ras") << names;
+  EXPECT_FALSE(read_points_csv("x (L),y (A),z (S)\n1,2,3\n"));
+}
+
+TEST(ImportReaders, ColumnsThatMeanTheSameAreNotGuessed) {
+  EXPECT_FALSE(read_points_csv("x1,y1,z1,x2,y2,z2\n1,2,3,4,5,6\n"));
+  EXPECT_EQ(read_points_csv("Pos X,x,y,z\n9,1,2,3\n")->row(0), Eigen::RowVector3d(1, 2, 3));
+}
+
+TEST(ImportReaders, SidesInTheWordsOfTheField) {
+  for (const auto& [lateral, medial] : {std::pair("al", "pm"),
+                                        {"ALPM", "PMPM"},
+                                        {"APM", "PPM"},
+                                        {"antero-lateral", "medial"},
+                                        {"PM anterolateral", "PM posteromedial"},
+                                        {"anterior", "posterior"}}) {
+    const auto tips =
+        read_tips_csv("Side,X,Y,Z\n" + std::string(lateral) + ",1,2,3\n" + medial + ",4,5,6\n");
+    ASSERT_TRUE(tips) << lateral << tips.errors()[0].message;
+    EXPECT_EQ((*tips)[0].side, Side::Anterolateral) << lateral;
+    EXPECT_EQ((*tips)[1].side, Side::Posteromedial) << medial;
+  }
+  const auto chordae = read_chordae(
+      "papillary muscle,Insertion X,Insertion Y,Insertion Z,Tip X,Tip Y,Tip Z\nALPM,1,2,3,4,5,6\n",
+      "csv");
+  ASSERT_TRUE(chordae) << chordae.errors()[0].message;
+  EXPECT_EQ((*chordae)[0].id, "1");
 }
 
 TEST(ImportReaders, APointThatIsNoneNamesItsLine) {

@@ -63,6 +63,20 @@ TEST(MeshParts, AnArrayOfCellsThatNumbersLeaflets) {
     EXPECT_EQ(parts_of(vtk(cells + other), "vtk").parts.size(), 1U) << other;
 }
 
+TEST(MeshParts, AnArrayOfPointsThatNumbersLeafletsGivesATriangleThePartOfMostCorners) {
+  const std::string cells = "POLYGONS 2 8\n3 0 1 2\n3 1 3 4\nPOINT_DATA 5\n";
+  const MeshParts parts =
+      parts_of(vtk(cells + "SCALARS PartId float 1\nLOOKUP_TABLE default\n1 1 2 2 2\n"), "vtk");
+  ASSERT_EQ(parts.parts.size(), 2U);
+  EXPECT_EQ(parts.told_apart_by, "the array partid of the points");
+  EXPECT_EQ(parts.parts[0].mesh.faces.rows(), 1);
+  EXPECT_EQ(parts.parts[1].name, "number 2");
+  EXPECT_NE(
+      parts_of(vtk(cells + "SCALARS leaflet float 1\nLOOKUP_TABLE default\n0 0.5 1 1 1\n"), "vtk")
+          .told_apart_by,
+      "the array leaflet of the points");
+}
+
 TEST(MeshParts, WholeNumbersOfFacesInPlyNumberLeafletsAndTheRestIsLeftOver) {
   const auto ply = [](const std::string& property) {
     return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "

@@ -58,6 +58,37 @@ TEST(Plausibility, AStrayPointOfAContourIsNamed) {
   EXPECT_EQ(stray_point(arc(250.0, 60)), "") << "a gap is none";
 }
 
+/// Points on the same circle at these shares of it.
+Points circle_at(const std::vector<double>& shares) {
+  Points loop(std::ssize(shares), 3);
+  for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+    const double angle = 2.0 * std::numbers::pi * shares[static_cast<std::size_t>(i)];
+    loop.row(i) << 18.0 * std::cos(angle), 18.0 * std::sin(angle), 0.0;
+  }
+  return loop;
+}
+
+TEST(Plausibility, UnevenlySpacedPointsOfAContourAreNotStray) {
+  std::vector<double> two_thirds, one_by_one = {0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 0.4, 0.6, 0.8};
+  for (int i = 0; i < 200; ++i) two_thirds.push_back(0.0033 * i);
+  two_thirds.insert(two_thirds.end(), {0.66, 0.83});
+  std::vector<double> pairs;
+  for (int i = 0; i < 6; ++i) pairs.insert(pairs.end(), {i / 6.0, i / 6.0 + 0.002});
+  for (const std::vector<double>& shares : {two_thirds, one_by_one, pairs}) {
+    Points loop = circle_at(shares);
+    EXPECT_EQ(stray_point(loop), "") << shares.size();
+    const Eigen::Index last = loop.rows() - 1;
+    for (const Eigen::Index moved : {Eigen::Index{3}, last}) {
+      if (moved == last && shares.size() == one_by_one.size()) continue;  // alone over two fifths
+      Points wrong = loop;
+      wrong.row(moved) += Eigen::RowVector3d(3.0, 5.0, 14.0);
+      EXPECT_TRUE(stray_point(wrong).starts_with("has a stray point: point " +
+                                                 std::to_string(moved + 1) + ", ("))
+          << shares.size() << ' ' << stray_point(wrong);
+    }
+  }
+}
+
 TEST(Plausibility, AContourTwiceRoundIsRefused) {
   const auto checked = contour_checks(arc(720.0, 120));
   ASSERT_FALSE(checked);
