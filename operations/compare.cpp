@@ -7,6 +7,7 @@
 #include "core/metrics/coaptation.h"
 #include "core/valve/patient_frame.h"
 #include "io/json/comparison_json.h"
+#include "operations/closing.h"
 #include "operations/given_shape.h"
 #include "operations/repair_request.h"
 #include "operations/table.h"
@@ -28,7 +29,7 @@ struct Shape {
 struct CompareRequest {
   Shape closed{}, reference{};
   Alignment alignment = Alignment::Auto;
-  Membrane membrane = ClosureOptions{}.membrane;
+  Closing closing{};  ///< of those that are valves
   std::optional<double> contact_mm{};
   bool nodes = false;
 };
@@ -50,9 +51,10 @@ std::function<void(const JsonPlace&)> shape_field(const Context& context, Shape&
   };
 }
 
-Errors close_shape(Shape& shape, Membrane membrane, const char* path, Context& context) {
+Errors close_shape(Shape& shape, const Closing& closing, const char* path, Context& context) {
   if (!shape.valve) return {};
-  const Expected<ClosedValve> closed = context.close(shape.valve->repaired, {.membrane = membrane});
+  Json finer;  // how: of no use here
+  const Expected<ClosedValve> closed = close_as(shape.valve->repaired, closing, context, finer);
   if (!closed) return closed.errors();
   if (!closed->closure.closed_mm.allFinite())
     return {Error{ErrorCode::BadGeometry, path,
@@ -86,19 +88,16 @@ Alignment alignment_of(Alignment asked, bool placed, const Shape& closed, const 
   return stays ? Alignment::None : asked;
 }
 
-Errors read_files_of(CompareRequest& asked, Context& context) {
-  ProblemList problems;
-  for (auto& [shape, path] :
-       {std::pair(&asked.closed, "/closed"), {&asked.reference, "/reference"}})
-    add_below(problems, "", read_file_of(shape->given, path, context));
-  return std::move(problems).take();
+Errors read_files(CompareRequest& asked, const Context& context) {
+  return read_files_of({{asked.closed.given, "/closed"}, {asked.reference.given, "/reference"}},
+                       context);
 }
 
 Expected<OperationAnswer> compare(CompareRequest& asked, Context& context) {
-  if (Errors errors = read_files_of(asked, context); !errors.empty()) return errors;
+  if (Errors errors = read_files(asked, context); !errors.empty()) return errors;
   Shape closed = asked.closed, reference = asked.reference;
   for (auto& [shape, path] : {std::pair(&closed, "/closed"), {&reference, "/reference"}})
-    if (Errors errors = close_shape(*shape, asked.membrane, path, context); !errors.empty())
+    if (Errors errors = close_shape(*shape, asked.closing, path, context); !errors.empty())
       return errors;
   const bool placed = place_in_patient(closed, reference);
   const double contact_mm = asked.contact_mm.value_or(
@@ -111,6 +110,7 @@ Expected<OperationAnswer> compare(CompareRequest& asked, Context& context) {
                          shape.doubt};
   };
   const ComparedShape ours = compared(closed), theirs = compared(reference);
+  if (context.cancelled()) return context.refusal();
   const ShapeComparison comparison = compare_shapes(
       ours.mesh, theirs.mesh, alignment_of(asked.alignment, placed, closed, reference), cancelled);
   if (context.cancelled()) return context.refusal();
@@ -127,6 +127,16 @@ Index size_of(const CompareRequest& asked) {
   return std::max(size_of(asked.closed), size_of(asked.reference));
 }
 
+/// How valves are closed, where there is one.
+void check_closing(const CompareRequest& asked, const Json& request, ProblemList& problems) {
+  add_contradictions(asked.closing, problems);
+  if (asked.closed.valve || asked.reference.valve) return;
+  for (const char* name : {"method", "accuracy_mm2", "converge", "certainty"})
+    if (request.contains(name))
+      problems.add(ErrorCode::Unsupported, "/" + std::string(name),
+                   "is about closing a valve; both shapes are surfaces");
+}
+
 }  // namespace
 
 Expected<OperationTask> read_compare(const Json& request, const Context& context) {
@@ -134,25 +144,25 @@ Expected<OperationTask> read_compare(const Json& request, const Context& context
   const auto alignment = [](const JsonPlace& place) {
     return read_name(place, std::vector{Alignment::Auto, Alignment::None, Alignment::Rigid});
   };
-  const auto membrane = [](const JsonPlace& place) {
-    return read_name(place, std::vector{Membrane::Continuum, Membrane::Springs});
-  };
   const auto contact = [](const JsonPlace& place) {
     return read_number_in(place, kContacts_mm, " mm");
   };
   ProblemList problems;
-  read_fields({request, problems}, {{"closed", shape_field(context, asked->closed)},
-                                    {"reference", shape_field(context, asked->reference)},
-                                    {"align", into(asked->alignment, alignment), false},
-                                    {"contact_mm", into(asked->contact_mm, contact), false},
-                                    {"membrane", into(asked->membrane, membrane), false},
-                                    {"nodes", into(asked->nodes, read_boolean), false}});
+  std::vector<JsonField> fields = {{"closed", shape_field(context, asked->closed)},
+                                   {"reference", shape_field(context, asked->reference)},
+                                   {"align", into(asked->alignment, alignment), false},
+                                   {"contact_mm", into(asked->contact_mm, contact), false},
+                                   {"nodes", into(asked->nodes, read_boolean), false}};
+  for (JsonField& field : closing_fields(asked->closing)) fields.push_back(std::move(field));
+  read_fields({request, problems}, fields);
+  if (problems.empty()) check_closing(*asked, request, problems);
   if (!problems.empty()) return std::move(problems).take();
-  OperationTask task{size_of(*asked), 2,
+  asked->closing = settled(asked->closing, true);
+  OperationTask task{size_of(*asked), 2 * closures_of(asked->closing),
                      [asked](Context& within) { return compare(*asked, within); }};
   if (asked->closed.given.file || asked->reference.given.file)
     task.read_files = [asked](Context& within) -> Expected<Index> {
-      if (Errors errors = read_files_of(*asked, within); !errors.empty()) return errors;
+      if (Errors errors = read_files(*asked, within); !errors.empty()) return errors;
       return size_of(*asked);
     };
   return task;

@@ -41,9 +41,9 @@ Json in_order(const SearchResult& result, const std::vector<RepairPlan>& asked) 
   Json answer = {
       {"version", json["version"]}, {"revision", json["revision"]}, {"before", json["before"]}};
   answer["plans"] = std::move(plans);
-  for (const char* name : {"stop", "diagnosis", "any_competent", "verdict", "model_draws", "ladder",
-                           "plans_tried", "closures", "closures_known", "closures_not_converged",
-                           "closures_crossed", "seconds", "not_modelled"})
+  for (const char* name : {"stop", "diagnosis", "any_competent", "verdict", "model_draws",
+                           "information", "ladder", "plans_tried", "closures", "closures_known",
+                           "closures_not_converged", "closures_crossed", "seconds", "not_modelled"})
     answer[name] = json[name];
   return answer;
 }

@@ -49,12 +49,9 @@ LeafletMesh placed_surface(const FitAsked& asked) {
   return surface;
 }
 
-Errors read_files_of(FitAsked& asked, Context& context) {
-  return read_file_of(asked.surface, "/surface", context);
-}
-
 Expected<OperationAnswer> fit(FitAsked& asked, Context& context) {
-  if (Errors errors = read_files_of(asked, context); !errors.empty()) return errors;
+  if (Errors errors = read_files_of({{asked.surface, "/surface"}}, context); !errors.empty())
+    return errors;
   const LeafletMesh surface = placed_surface(asked);
   const MeasuredClosure measured{surface.vertices_mm, asked.target.side, asked.target.leak_mm2,
                                  asked.target.leak_sd_mm2};
@@ -103,7 +100,8 @@ Expected<OperationTask> read_fit(const Json& request, const Context& context) {
                      [asked](Context& within) { return fit(*asked, within); }};
   if (asked->surface.file)
     task.read_files = [asked, vertices](Context& within) -> Expected<Index> {
-      if (Errors errors = read_files_of(*asked, within); !errors.empty()) return errors;
+      if (Errors errors = read_files_of({{asked->surface, "/surface"}}, within); !errors.empty())
+        return errors;
       return vertices;
     };
   return task;

@@ -133,16 +133,18 @@ void read_given_shape(const JsonPlace& place, const Context& context, GivenShape
   if (shape.source.empty()) shape.source = shape.file ? shape.file->name : "mesh";
 }
 
-Errors read_file_of(GivenShape& shape, const std::string& path, const Context& context) {
-  if (!shape.file) return {};
+Errors read_files_of(std::initializer_list<ShapeAt> shapes, const Context& context) {
   ProblemList problems;
-  Expected<LeafletMesh> mesh = context.surface_of(*shape.file, shape.reading);
-  if (mesh) {
-    shape.file.reset();
-    shape.mesh = *std::move(mesh);
-    add_below(problems, path, check(shape, context.limits));
-  } else {
-    add_below(problems, path + "/file", mesh.errors());
+  for (const auto& [shape, path] : shapes) {
+    if (!shape.file) continue;
+    Expected<LeafletMesh> mesh = context.surface_of(*shape.file, shape.reading);
+    if (mesh) {
+      shape.file.reset();
+      shape.mesh = *std::move(mesh);
+      add_below(problems, path, check(shape, context.limits));
+    } else {
+      add_below(problems, path + std::string("/file"), mesh.errors());
+    }
   }
   return std::move(problems).take();
 }

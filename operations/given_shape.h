@@ -1,6 +1,7 @@
 // A closed surface in a request: {"mesh": numbers} or {"file": a file}, and what it is called.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ struct GivenShape {
   std::string source = {};  ///< as answers call it: by default the file's name, or "mesh"
   LeafletMesh mesh = {};
   std::optional<double> thickness_mm = {};
-  std::optional<NamedFile> file = {};  ///< that read_file_of() has yet to read into `mesh`
+  std::optional<NamedFile> file = {};  ///< that read_files_of() has yet to read into `mesh`
   ShapeFileOptions reading = {};
   Triangles triangles = Triangles::Required;
 };
@@ -37,12 +38,18 @@ Index size_of(const LeafletMesh& mesh);
 JsonField source_field(std::string& source);
 
 /// Fields "mesh" {"vertices_mm", "faces", "names", "leaflets", "thickness_mm"}, "file" and, of a file, "leaflet_array" and
-/// "displacement_array", and "source"; exactly one of the first two. A file is not read yet: that takes long, and read_file_of() does it.
+/// "displacement_array", and "source"; exactly one of the first two. A file is not read yet: that takes long, and read_files_of() does it.
 /// @param triangles optional: points alone are a surface, too
 void read_given_shape(const JsonPlace& place, const Context& context, GivenShape& shape,
                       Triangles triangles);
 
-/// Reads the file of a shape, if it has one that is not read. Errors below `path`, the pointer to the shape.
-Errors read_file_of(GivenShape& shape, const std::string& path, const Context& context);
+/// A shape of a request and its pointer there.
+struct ShapeAt {
+  GivenShape& shape;
+  const char* path;
+};
+
+/// Reads the files of shapes that have one which is not read. All errors, below the shapes' paths.
+Errors read_files_of(std::initializer_list<ShapeAt> shapes, const Context& context);
 
 }  // namespace coapt

@@ -1,9 +1,8 @@
 // Which measurement of a valve would say most of its leak, as it is or repaired. Answers coapt.information/1.
-#include "search/studies/information.h"
-
 #include "io/json/model_study_json.h"
 #include "operations/model_draws.h"
 #include "operations/table.h"
+#include "search/studies/model_study.h"
 
 namespace coapt {
 namespace {

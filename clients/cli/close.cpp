@@ -1,5 +1,4 @@
 #include <iostream>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,10 +7,9 @@
 #include <vector>
 
 #include "clients/cli/ask.h"
+#include "clients/cli/closing_option.h"
 #include "clients/cli/commands.h"
-#include "clients/cli/converge_option.h"
 #include "clients/cli/material_option.h"
-#include "clients/cli/method_option.h"
 #include "clients/cli/plan_option.h"
 #include "clients/cli/print.h"
 #include "clients/cli/read_argument.h"
@@ -24,7 +22,6 @@
 #include "io/mesh/write_mesh.h"
 #include "io/picture/opening_picture.h"
 #include "io/picture/picture.h"
-#include "operations/certainty.h"
 
 namespace coapt {
 namespace {
@@ -34,11 +31,8 @@ struct CloseArguments {
   PlanOption plan;
   MaterialOption material;
   ServerOption server;
-  ClosureOptions closure;
-  std::optional<double> accuracy_mm2;
-  ConvergeOption converge;
+  ClosingOption closing;
   int draws = 0;
-  Certainty certainty = Certainty::Quick;
   bool json = false, open = false;
 };
 
@@ -47,15 +41,7 @@ constexpr int kMostDraws = 1000;
 /// What the arguments ask for, beside valve and plan.
 void add_options(const CloseArguments& arguments, Json& request) {
   if (is_given(arguments.material)) request["material"] = material_json(arguments.material);
-  const ClosureOptions usual;
-  if (arguments.closure.method != usual.method)
-    request["method"] = to_string(arguments.closure.method);
-  if (arguments.closure.membrane != usual.membrane)
-    request["membrane"] = to_string(arguments.closure.membrane);
-  if (arguments.accuracy_mm2) request["accuracy_mm2"] = *arguments.accuracy_mm2;
-  if (arguments.converge.wanted) request["converge"] = converge_json(arguments.converge);
-  if (arguments.certainty != Certainty::Quick)
-    request["certainty"] = to_string(arguments.certainty);
+  add_closing(arguments.closing, request);
   if (arguments.open) request["open"] = true;
   if (arguments.draws > 0) request["draws"] = arguments.draws;
 }
@@ -134,28 +120,8 @@ void add_close(Command parent, int& status) {
   Command command = parent.add_command("close", "Close a valve and measure what leaks");
   command.add_option("valve", arguments->valve, kValveHelp).required();
   add_plan_option(command, arguments->plan);
-  add_method_option(command, arguments->closure.method);
-  add_membrane_option(command, arguments->closure.membrane);
-  std::map<std::string, Certainty> certainties;
-  for (const Certainty word : {Certainty::Quick, Certainty::Sure, Certainty::Proof})
-    certainties[to_string(word)] = word;
-  command
-      .add_choice(
-          "--certainty", arguments->certainty, certainties,
-          "Effort spent on the numerical error of the leak: quick (default), the mesh as given; "
-          "sure, also four times the triangles, and the mesh as given at half the speed, which may "
-          "end in another "
-          "shape; proof, also finer and finer meshes until the leak settles, as --converge does")
-      .show_argument("WORD");
-  add_converge_option(command, arguments->converge);
+  add_closing_option(command, arguments->closing);
   add_material_option(command, arguments->material);
-  command
-      .add_option("--accuracy", arguments->accuracy_mm2,
-                  "Accuracy of the leak, mm2: refine the mesh and choose the tolerances to reach "
-                  "it (method fast)")
-      .check(number_from(0.0, std::numeric_limits<double>::max()))
-      .show_argument("MM2")
-      .excludes("--converge");
   command.add_option("--render", arguments->picture, "Write a picture of the closed valve (PNG)")
       .check({refuse_standard_output, "FILE"});
   command

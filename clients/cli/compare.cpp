@@ -1,16 +1,19 @@
 #include <filesystem>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "clients/cli/ask.h"
+#include "clients/cli/closing_option.h"
 #include "clients/cli/commands.h"
-#include "clients/cli/method_option.h"
-#include "clients/cli/read_argument.h"
+#include "clients/cli/material_option.h"
+#include "clients/cli/plan_option.h"
 #include "core/valve/printable.h"
 #include "io/command_line/exit_code.h"
 #include "io/command_line/files.h"
@@ -24,47 +27,60 @@
 namespace coapt {
 namespace {
 
+/// What is done to the first shape before it is closed.
+struct ShapeRepair {
+  PlanOption plan;
+  MaterialOption material;
+};
+
 struct CompareArguments {
   std::string closed, reference, picture, mesh;
   std::string alignment = "auto";
   ShapeFileOptions files;
-  Membrane membrane = ClosureOptions{}.membrane;
+  ShapeRepair repair;
+  ClosingOption closing;
   std::optional<double> contact_mm;
   ServerOption server;
   bool json = false;
 };
 
-/// A mesh by the end of its name, a scene, or a valve, which is closed.
-/// @param here gets the valves that are closed here, by their arguments
-Expected<Json> shape_to_send(const std::string& argument, const ShapeFileOptions& options,
-                             const std::optional<Service>& service,
-                             std::map<std::string, Valve>& here) {
-  const std::string format = format_of(argument);
+/// A mesh by the end of its name, a scene, or a valve, which is closed. Errors: neither.
+Expected<bool> is_surface_file(const std::string& argument) {
   std::error_code ignored;
-  const bool exists = std::filesystem::exists(argument, ignored);
-  bool is_surface = is_shape_format(format);
-  if (exists && format == "json") {
+  if (!std::filesystem::exists(argument, ignored)) return is_shape_format(format_of(argument));
+  const std::string format = format_of(argument);
+  if (format == "json") {
     const Expected<std::string> text = read_input(argument);
     if (!text) return text.errors();
-    is_surface = is_scene_text(*text);
-  } else if (exists && !is_surface) {
-    return Error{ErrorCode::Unsupported, "",
-                 "must end in one of " + shape_format_names() +
-                     ", or be a valve or a scene (.json), or the name of a preset"};
+    return is_scene_text(*text);
   }
-  if (!is_surface && !service) {
-    Expected<Valve> valve = read_valve_argument(argument);
-    if (!valve) return valve.errors();
-    here.insert_or_assign(argument, *std::move(valve));
-    return Json{{"valve", argument}, {"source", argument}};
+  if (is_shape_format(format)) return true;
+  return Error{ErrorCode::Unsupported, "",
+               "must end in one of " + shape_format_names() +
+                   ", or be a valve or a scene (.json), or the name of a preset"};
+}
+
+AskedRequest shape_to_send(const std::string& argument, const ShapeRepair& repair,
+                           const ShapeFileOptions& options, const std::optional<Service>& service) {
+  const Expected<bool> is_surface = is_surface_file(argument);
+  if (!is_surface) return {.failed = report_errors(argument, is_surface.errors())};
+  if (!*is_surface) {
+    AskedRequest asked = asked_repair(argument, repair.plan, service);
+    if (!asked.failed && is_given(repair.material))
+      asked.request["material"] = material_json(repair.material);
+    return asked;
   }
-  Expected<Json> given = is_surface ? file_to_send(argument) : valve_to_send(argument);
-  if (!given) return given.errors();
-  if (!is_surface) return Json{{"valve", *std::move(given)}, {"source", argument}};
-  Json shape = {{"file", *std::move(given)}, {"source", argument}};
-  if (!options.leaflets.empty()) shape["leaflet_array"] = options.leaflets;
-  if (!options.displacement.empty()) shape["displacement_array"] = options.displacement;
-  return shape;
+  if (is_given(repair.plan) || is_given(repair.material))
+    return {.failed = report_errors(
+                argument, {Error{ErrorCode::Unsupported, "",
+                                 "is a surface; a repair, pressure and tissue (--plan, --ring, "
+                                 "--pressure, ...) need a valve, which is closed first"}})};
+  Expected<Json> given = file_to_send(argument);
+  if (!given) return {.failed = report_errors(argument, given.errors())};
+  AskedRequest asked{0, {{"file", *std::move(given)}}, {{"/file", argument}}};
+  if (!options.leaflets.empty()) asked.request["leaflet_array"] = options.leaflets;
+  if (!options.displacement.empty()) asked.request["displacement_array"] = options.displacement;
+  return asked;
 }
 
 std::ostream& line(std::ostream& out, const char* label) {
@@ -191,28 +207,43 @@ int write_maps(const CompareArguments& arguments, const Json& found, const Json&
                                 : write_output(arguments.mesh, map_vtk(found, nodes));
 }
 
+/// What is wrong with the request in the words of the command line.
+int report_compare(const Errors& errors, const std::map<std::string, std::string>& sources) {
+  constexpr std::string_view kMaterial = "/closed/material";
+  Errors told = errors;
+  for (Error& error : told)
+    if (error.path.starts_with(kMaterial)) error.path.erase(0, kMaterial.size());
+  return report_refusal("compare", told, sources,
+                        {{"/accuracy_mm2", "--accuracy"}, {"/pressure_mmhg", "--pressure"}});
+}
+
 int run(const CompareArguments& arguments, const std::optional<Service>& service) {
   for (const std::string& output : {arguments.picture, arguments.mesh})
     if (const int failed = check_output(output)) return failed;
-  Json request = {{"align", arguments.alignment}, {"membrane", to_string(arguments.membrane)}};
+  Json request = {{"align", arguments.alignment}};
+  add_closing(arguments.closing, request);
   std::map<std::string, std::string> sources;
-  std::map<std::string, Valve> valves;
+  Context here{.limits = OperationLimits::unlimited(), .surface_of = read_surface_file};
+  std::map<std::string, std::function<Expected<Valve>(const std::string&)>> valves;
   for (const auto& [name, argument] :
-       {std::pair<const char*, std::string>("closed", arguments.closed),
+       {std::pair<std::string, std::string>("closed", arguments.closed),
         {"reference", arguments.reference}}) {
-    const Expected<Json> shape = shape_to_send(argument, arguments.files, service, valves);
-    if (!shape) return report_errors(argument, shape.errors());
-    request[name] = *shape;
-    for (const char* part : {"", "/file", "/valve"})
-      sources["/" + std::string(name) + part] = argument;
+    const ShapeRepair repair = name == "closed" ? arguments.repair : ShapeRepair{};
+    AskedRequest shape = shape_to_send(argument, repair, arguments.files, service);
+    if (shape.failed) return shape.failed;
+    shape.request["source"] = argument;
+    request[name] = std::move(shape.request);
+    const std::string path = "/" + name;
+    sources[path] = argument;
+    for (const auto& [part, source] : shape.sources) sources[path + part] = source;
+    if (shape.here.valve_named) valves[argument] = std::move(shape.here.valve_named);
   }
   if (arguments.contact_mm) request["contact_mm"] = *arguments.contact_mm;
   const bool maps = !arguments.picture.empty() || !arguments.mesh.empty();
   if (maps) request["nodes"] = true;
-  Context here{.limits = OperationLimits::unlimited(), .surface_of = read_surface_file};
-  here.valve_named = [&](const std::string& name) -> Expected<Valve> { return valves.at(name); };
+  here.valve_named = [&](const std::string& name) { return valves.at(name)(name); };
   Expected<Json> found = ask_document(service, "compare", request, here);
-  if (!found) return report_refusal("compare", found.errors(), sources);
+  if (!found) return report_compare(found.errors(), sources);
   const Json nodes = found->value("nodes", Json());
   found->erase("nodes");
   if (arguments.json)
@@ -255,7 +286,9 @@ void add_compare(Command parent, int& status) {
           "Contact distance: nodes closer than this to another part of the surface are in contact")
       .show_default("1.25 x the valve's thickness (1 mm if unknown)")
       .check(number_from(0.001, 100.0));
-  add_membrane_option(command, arguments->membrane);
+  add_plan_option(command, arguments->repair.plan);
+  add_closing_option(command, arguments->closing);
+  add_material_option(command, arguments->repair.material);
   command.add_option("--map", arguments->picture, "Write a picture of the signed distance (PNG)")
       .check({refuse_standard_output, "FILE"});
   command
@@ -268,11 +301,13 @@ void add_compare(Command parent, int& status) {
       "Meshes with the same nodes and connectivity are compared node by node; otherwise the "
       "distance is\nmeasured from each node of CLOSED to the surface of REFERENCE after a rigid "
       "alignment. Distances are\npositive on the side to which the reference's normals point (for "
-      "a valve, the atrial side). An\nimported valve is placed where it was imaged. The exit code "
-      "is 3 if a closure or the alignment did\nnot converge.\n\n"
+      "a valve, the atrial side). An\nimported valve is placed where it was imaged. A repair, "
+      "pressure and tissue are those of CLOSED; how\nvalves are closed applies to both shapes. The "
+      "exit code is 3 if a closure or the alignment did not\nconverge.\n\n"
       "Examples:\n"
       "  coapt compare closed.vtk segmented.stl --map distance.png\n"
       "  coapt compare human-normal fine.ply --json\n"
+      "  coapt compare valve.json after.stl --plan ring.json --pressure 100\n"
       "  coapt compare frame_19.vtu frame_20.vtu --contact-mm 0.8 -o distance.vtk");
   on_run_by(command, "compare", arguments->server, {}, status,
             [arguments](const auto& service) { return run(*arguments, service); });

@@ -56,6 +56,20 @@ void print_leak(std::ostream& out, const Json& leak) {
   }
 }
 
+/// "3.32 ± 0.23 N", or "58 mm2; 31 to 92 mm2 with tissue error (5 to 95 %)".
+std::string in_unit(const Estimate& estimate, const std::string& unit) {
+  const auto [value, interval, cause] = words_of(estimate);
+  const std::string of = unit.empty() ? "" : " " + unit;
+  return value + of + (interval.empty() ? "" : "; " + interval + of + " " + cause);
+}
+
+/// The same of a figure; of results of earlier releases the value alone.
+std::string figure_words(const Json& measure, const char* name, const char* unit, double units,
+                         int decimals) {
+  const std::string words = figure_and_error(measure, name, unit, units);
+  return words.empty() ? fixed(units * number_of(measure[name]), decimals) + " " + unit : words;
+}
+
 /// Of a valve that is not mitral.
 void print_leaflets(std::ostream& out, const Json& measure) {
   print_leak(out, measure["leak"]);
@@ -103,15 +117,19 @@ void print_measure(std::ostream& out, const Json& measure) {
   const auto touching = std::count_if(sections.begin(), sections.end(), [](const Json& section) {
     return section["contact"].get<bool>();
   });
+  const std::string a2_p2 = figure_and_error(measure, "coaptation_a2_p2_mm", "mm");
   row(out, "coaptation") << "height min " << rounded(coaptation["height_min_mm"], 1) << ", mean "
-                         << rounded(coaptation["height_mean_mm"], 1)
-                         << " mm; leaflets in contact at " << touching << " of " << sections.size()
+                         << rounded(coaptation["height_mean_mm"], 1) << " mm"
+                         << (a2_p2.empty() ? "" : ", of A2 with P2 " + a2_p2)
+                         << "; leaflets in contact at " << touching << " of " << sections.size()
                          << " sections, largest distance of mid-surfaces "
                          << rounded(coaptation["distance_max_mm"], 2) << " mm";
   if (measure.contains("coaptation_area_index"))
     out << "; " << fixed(100.0 * number_of(measure["coaptation_area_index"]), 0)
         << " % of the leaflet area";
   out << '\n';
+  if (const std::string ratio = figure_and_error(measure, "leaflet_ratio", ""); !ratio.empty())
+    row(out, "leaflet ratio") << ratio << ", anterior over posterior, annulus to coaptation\n";
   const Json& annulus = measure["annulus"];
   row(out, "annulus") << "AP " << rounded(annulus["ap_mm"], 1) << ", AL-PM "
                       << rounded(annulus["al_pm_mm"], 1) << ", circumference "
@@ -120,12 +138,12 @@ void print_measure(std::ostream& out, const Json& measure) {
                       << rounded(annulus["area_mm2"], 0) << " mm2\n";
   row(out, "tenting") << "height " << rounded(measure["tenting_height_mm"], 1) << " mm, area "
                       << rounded(measure["tenting_area_mm2"], 0) << " mm2\n";
-  row(out, "chordae") << "highest tension " << rounded(measure["tension_max_n"], 2) << " N, sum "
-                      << rounded(measure["tension_sum_n"], 1) << " N\n";
+  row(out, "chordae") << "highest tension " << figure_words(measure, "tension_max_n", "N", 1.0, 2)
+                      << ", sum " << rounded(measure["tension_sum_n"], 1) << " N\n";
   row(out, "leaflet strain") << "99th percentiles: circumferential "
-                             << fixed(100.0 * number_of(measure["strain_circumferential_max"]), 1)
-                             << " %, radial "
-                             << fixed(100.0 * number_of(measure["strain_radial_max"]), 1) << " %\n";
+                             << figure_words(measure, "strain_circumferential_max", "%", 100.0, 1)
+                             << ", radial "
+                             << figure_words(measure, "strain_radial_max", "%", 100.0, 1) << '\n';
 }
 
 /// What the meshes say of their limit.
@@ -196,10 +214,20 @@ std::string leak_and_error(const Json& leak) {
   Estimate estimate = estimate_of(leak, number_of(leak["area_mm2"]));
   if (!leak.contains("numerical"))  // of earlier releases
     estimate.numerical = area_interval(estimate.value, number_of(leak.value("error_mm2", Json())));
-  const auto [value, interval, cause] = words_of(estimate);
-  if (!interval.empty()) return value + " mm2; " + interval + " mm2 " + cause;
-  const bool tissue_missing = estimate.numerical && !estimate.tissue;
-  return value + " mm2" + (tissue_missing ? " (numerical error; tissue error not known)" : "");
+  const bool tissue_missing =
+      estimate.numerical && !estimate.tissue && words_of(estimate).interval.empty();
+  return in_unit(estimate, "mm2") +
+         (tissue_missing ? " (numerical error; tissue error not known)" : "");
+}
+
+std::string figure_and_error(const Json& measured, const char* name, const std::string& unit,
+                             double units) {
+  const auto estimates = measured.find("estimates");
+  if (estimates == measured.end()) return "";
+  const auto found = estimates->find(name);
+  if (found == estimates->end()) return "";
+  const Estimate estimate = estimate_of(*found, number_of((*found)["value"]));
+  return std::isfinite(estimate.value) ? in_unit(scaled(estimate, units), unit) : "";
 }
 
 std::string variants_words(const Json& draws) {

@@ -19,6 +19,11 @@ std::string leak_and_error(const Json& leak);
 /// Of "numerical", "tissue" and "execution", of which results of earlier releases have none.
 Estimate estimate_of(const Json& json, double value);
 
+/// A member of "estimates", so many of its units to one of what it is printed in, as leak_and_error(): "3.32 ± 0.23 N"; empty: not
+/// known, as in results of earlier releases.
+std::string figure_and_error(const Json& measured, const char* name, const std::string& unit,
+                             double units = 1.0);
+
 /// Of "draws", "chordae_drawn" and "fit_drawn": "64 variants of tissue and chordae".
 std::string variants_words(const Json& draws);
 

@@ -19,6 +19,19 @@ std::string gradient(const Json& mmhg, const Json& flow) {
   return fixed(number_of(mmhg), 1) + " mmHg at " + significant(number_of(flow), 3) + " ml/s";
 }
 
+/// With its error, if that is stated: "5.70 ± 0.29 cm2".
+std::string open_area(const Json& opening) {
+  const std::string words = figure_and_error(opening, "opening_area_mm2", "cm2", 0.01);
+  return words.empty() ? cm2(opening["opening_area_mm2"]) : words;
+}
+
+/// "1.0 ± 0.1 mmHg at 155 ml/s".
+std::string gradient_at_rest(const Json& opening) {
+  const std::string words = figure_and_error(opening, "gradient_mmhg", "mmHg");
+  return words.empty() ? gradient(opening["gradient_mmhg"], opening["flow_ml_s"])
+                       : words + " at " + significant(number_of(opening["flow_ml_s"]), 3) + " ml/s";
+}
+
 /// What speaks against its figures; empty: nothing.
 const char* distrust(const Json& opening) {
   if (opening["crossing"].get<bool>()) return "leaflets cross, so no opening was measured";
@@ -34,11 +47,10 @@ void print_opening(std::ostream& out, const Json& opening) {
   out << printable(opening["name"].get<std::string>()) << ": "
       << (problem.empty() ? "open, at rest" : problem) << '\n';
   if (problem.empty()) {
-    out << "  opening         " << cm2(opening["opening_area_mm2"])
-        << ", minimal surface\n  projected       " << cm2(opening["projected_area_mm2"])
-        << " along the annular normal; annulus " << cm2(opening["annulus_area_mm2"])
-        << " in diastole\n  mean gradient   "
-        << gradient(opening["gradient_mmhg"], opening["flow_ml_s"]) << ", "
+    out << "  opening         " << open_area(opening) << ", minimal surface\n  projected       "
+        << cm2(opening["projected_area_mm2"]) << " along the annular normal; annulus "
+        << cm2(opening["annulus_area_mm2"]) << " in diastole\n  mean gradient   "
+        << gradient_at_rest(opening) << ", "
         << gradient(opening["gradient_exercise_mmhg"], opening["flow_exercise_ml_s"]) << '\n';
   }
   for (const Json& warning : opening["warnings"])
@@ -49,8 +61,7 @@ void print_opening(std::ostream& out, const Json& opening) {
 
 std::string opening_in_short(const Json& opening) {
   if (const std::string problem = distrust(opening); !problem.empty()) return problem;
-  return cm2(opening["opening_area_mm2"]) + ", mean gradient " +
-         gradient(opening["gradient_mmhg"], opening["flow_ml_s"]);
+  return open_area(opening) + ", mean gradient " + gradient_at_rest(opening);
 }
 
 }  // namespace coapt

@@ -1,6 +1,7 @@
 #include "clients/cli/print_ranked.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ostream>
 #include <sstream>
@@ -163,6 +164,16 @@ void print_model_draws(std::ostream& out, const Json& result) {
   print_words(out, "Observed: ", who + weight_words(contradicts, number_of((*model)["effective"])));
 }
 
+/// Which measurement would say most of the leak that the first plan leaves.
+void print_information(std::ostream& out, const Json& result) {
+  const Json rows = result.value("information", Json::array());  // not of earlier releases
+  if (rows.empty() || rows[0]["share_removed"].is_null()) return;
+  print_words(out, "Information: ",
+              "measuring " + rows[0]["measurement"].get<std::string>() + " would remove " +
+                  percent(rows[0]["share_removed"].get<double>()) +
+                  " of the variance of the first plan's leak between these variants");
+}
+
 /// What the finer mesh was for, and whether it would order the plans otherwise.
 void print_fine_mesh(std::ostream& out, const Json& result) {
   const auto mesh = result.find("fine_mesh");
@@ -198,12 +209,29 @@ void print_tolerance(std::ostream& out, const Json& plan) {
                 "error of one step until it leaks " + shown(kTraceLeak_mm2) + " mm2: " + words);
 }
 
+/// Figures of rules of practice, each with its error.
+void print_figures(std::ostream& out, const Json& plan) {
+  struct Row {
+    const char *name, *what, *unit;
+    double units = 1.0;
+  };
+  constexpr std::array<Row, 5> kRows = {{{"coaptation_a2_p2_mm", "coaptation of A2 with P2", "mm"},
+                                         {"tension_max_n", "highest chordal tension", "N"},
+                                         {"leaflet_ratio", "leaflet ratio", ""},
+                                         {"opening_area_mm2", "opening in diastole", "cm2", 0.01},
+                                         {"gradient_mmhg", "mean gradient", "mmHg"}}};
+  for (const auto& [name, what, unit, units] : kRows)
+    if (const std::string words = figure_and_error(plan, name, unit, units); !words.empty())
+      print_words(out, "      ", std::string(what) + ": " + words);
+}
+
 void print_plan(std::ostream& out, const Json& plan, const std::vector<std::string>& shared) {
   if (plan.contains("name")) print_words(out, "      ", plan["name"].get<std::string>() + ":");
   for (const std::string step : plan["description"]) print_words(out, "      ", step);
   if (plan["plan"]["steps"].empty()) out << "      no repair\n";
   if (const auto leak = plan.find("leak"); leak != plan.end())  // not of earlier releases
     print_words(out, "      ", "leak as planned: " + leak_and_error(*leak));
+  print_figures(out, plan);
   print_tolerance(out, plan);
   print_beaten(out, plan);
   print_fine(out, plan);
@@ -249,11 +277,12 @@ void print_cut(std::ostream& out, const Json& result) {
 }  // namespace
 
 void print_ranked(std::ostream& out, const Json& result) {
-  const Json &before = result["before"], &coaptation = before["coaptation"];
+  const Json& before = result["before"];
+  const std::string coaptation = figure_and_error(before, "coaptation_a2_p2_mm", "mm");
   const Json& plans = result["plans"];
   print_words(out, "Before: ",
-              "leak " + leak_and_error(before["leak"]) + ", coaptation " +
-                  fixed(number_of(coaptation["height_mean_mm"]), 1) + " mm, " +
+              "leak " + leak_and_error(before["leak"]) + ", coaptation of A2 with P2 " +
+                  (coaptation.empty() ? "not known" : coaptation) + ", " +
                   before["status"].get<std::string>() + ", " + crossing_words(before));
   if (const auto diagnosis = result.find("diagnosis");
       diagnosis != result.end() && !diagnosis->is_null())
@@ -272,6 +301,7 @@ void print_ranked(std::ostream& out, const Json& result) {
   out << '\n';
   print_fine_mesh(out, result);
   print_model_draws(out, result);
+  print_information(out, result);
   print_cut(out, result);
   out << counted(result["closures"].get<long>(), "closure") << " ("
       << result["closures_not_converged"] << " not converged, " << result["closures_crossed"]

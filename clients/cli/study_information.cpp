@@ -18,7 +18,7 @@
 #include "io/json/model_study_json.h"
 #include "io/picture/text.h"
 #include "io/picture/text_table.h"
-#include "search/studies/information.h"
+#include "search/studies/model_study.h"
 
 namespace coapt {
 namespace {

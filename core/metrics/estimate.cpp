@@ -50,6 +50,13 @@ std::optional<ErrorCause> widest(const Estimate& estimate) {
   return cause;
 }
 
+Estimate scaled(Estimate estimate, double units) {
+  estimate.value *= units;
+  for (std::optional<Interval>* part : {&estimate.numerical, &estimate.tissue, &estimate.execution})
+    if (*part) *part = Interval{units * (*part)->low, units * (*part)->high};
+  return estimate;
+}
+
 double half_width(const Estimate& estimate) {
   const std::optional<ErrorCause> cause = widest(estimate);
   if (!cause) return std::numeric_limits<double>::quiet_NaN();

@@ -32,6 +32,9 @@ const char* to_string(ErrorCause cause);  ///< "numerical", "tissue", "execution
 
 const std::optional<Interval>& part_of(const Estimate& estimate, ErrorCause cause);
 
+/// In other units, so many to one of its own.
+Estimate scaled(Estimate estimate, double units);
+
 /// Of the interval of widest(); NaN if nothing is known.
 double half_width(const Estimate& estimate);
 

@@ -23,6 +23,12 @@ FigureError mesh_error(Figure figure) {
       return {0.0, 0.05};
     case Figure::Gradient:
       return {0.0, 0.1};
+    case Figure::LeafletRatio:
+      return {0.0, 0.05};
+    case Figure::CircumferentialStrain:
+      return {0.0, 0.09};
+    case Figure::RadialStrain:
+      return {0.0, 0.06};
   }
   return {};
 }

@@ -84,4 +84,13 @@ ValveMeasure measure(const Valve& valve, const ClosureResult& closure, LeakBy le
   return measure;
 }
 
+double coaptation_a2_p2_mm(const ValveMeasure& measure) {
+  const auto& sections = measure.coaptation.sections;
+  return (sections[3].height_mm + sections[4].height_mm + sections[5].height_mm) / 3.0;
+}
+
+double leaflet_ratio(const ValveMeasure& measure) {
+  return measure.anterior_length_mm / measure.posterior_length_mm;
+}
+
 }  // namespace coapt

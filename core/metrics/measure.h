@@ -41,4 +41,10 @@ struct ValveMeasure {
 ValveMeasure measure(const Valve& valve, const ClosureResult& closure,
                      LeakBy leak_by = LeakBy::Surface);
 
+/// Height of coaptation of A2 with P2: mean of the three middle sections; NaN of a valve that is not mitral.
+double coaptation_a2_p2_mm(const ValveMeasure& measure);
+
+/// Anterior over posterior leaflet length, annulus to coaptation; NaN: they do not touch in the middle.
+double leaflet_ratio(const ValveMeasure& measure);
+
 }  // namespace coapt

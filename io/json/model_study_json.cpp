@@ -51,17 +51,21 @@ Json to_json(const ModelStudy& study, const std::string& valve_name) {
 Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
              const std::string& valve_name) {
   const ValveMeasure& measure = study.as_it_is.measure;
-  Json list = Json::array();
-  for (const InformationRow& row : rows)
-    list.push_back({{"measurement", row.measurement},
-                    {"share_removed", known(row.share_removed)},
-                    {"remaining_mm2", known(row.remaining_mm2)}});
   Json leak = {{"area_mm2", measure.leak.area_mm2}, {"sd_mm2", study.leak.sd_mm2}};
   leak.update(to_json(Estimate{measure.leak.area_mm2,
                                area_interval(measure.leak.area_mm2, measure.leak_error_mm2),
                                tissue_interval(study)}));
   return document_of("coapt.information/1", study, valve_name,
-                     {{"leak", std::move(leak)}, {"rows", std::move(list)}});
+                     {{"leak", std::move(leak)}, {"rows", to_json(rows)}});
+}
+
+Json to_json(const std::vector<InformationRow>& rows) {
+  Json list = Json::array();
+  for (const InformationRow& row : rows)
+    list.push_back({{"measurement", row.measurement},
+                    {"share_removed", known(row.share_removed)},
+                    {"remaining_mm2", known(row.remaining_mm2)}});
+  return list;
 }
 
 Json tissue_draws_json(const ModelStudy& study) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "io/json/json.h"
-#include "search/studies/information.h"
 #include "search/studies/model_study.h"
 
 namespace coapt {
@@ -17,6 +16,9 @@ Json to_json(const ModelStudy& study, const std::string& valve_name);
 /// coapt.information/1: "leak" with its error, and rows[] of "measurement", "share_removed", "remaining_mm2", most telling first.
 Json to_json(const ModelStudy& study, const std::vector<InformationRow>& rows,
              const std::string& valve_name);
+
+/// rows[] alone.
+Json to_json(const std::vector<InformationRow>& rows);
 
 /// {"draws", "untrusted", "chordae_drawn", "fit_drawn", "observed", "effective", "contradicts_model"}: what a tissue interval is of.
 Json tissue_draws_json(const ModelStudy& study);

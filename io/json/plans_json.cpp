@@ -1,6 +1,7 @@
 #include "io/json/plans_json.h"
 
 #include "io/json/diagnosis_json.h"
+#include "io/json/model_study_json.h"
 #include "io/json/plan_json.h"
 #include "io/json/result_json.h"
 #include "io/json/search_options_json.h"
@@ -45,10 +46,13 @@ Json statistics_json(const LeakStatistics& s) {
           {"below_10", s.below_10}, {"below_20", s.below_20}};
 }
 
-Json margin_json(const LeakMargin& margin) {
+Json margin_json(const RegionReport& region) {
+  const LeakMargin& margin = region.margin_to_leak;
+  const std::string why = why_margin_unknown(region);
   return {{"suture_length_mm", margin.suture_length_mm},
           {"angle_deg", margin.angle_deg},
-          {"share", margin.share}};
+          {"share", margin.share},
+          {"why_unknown", why.empty() ? Json() : Json(why)}};
 }
 
 Json gate_json(const Gate& gate) {
@@ -151,17 +155,13 @@ Json durability_json(const RankedPlan& ranked) {
           {"durability_price", ranked.durability_price}};
 }
 
-/// {"value", and the members of an Estimate}.
-Json estimate_json(const Estimate& estimate) {
-  Json json = {{"value", estimate.value}};
-  json.update(to_json(estimate));
-  return json;
-}
-
 /// All but the leak, which has a member of its own.
 Json estimates_json(const PlanEstimates& estimates) {
   return {{"coaptation_a2_p2_mm", estimate_json(estimates.coaptation_mm)},
           {"tension_max_n", estimate_json(estimates.tension_max_n)},
+          {"leaflet_ratio", estimate_json(estimates.leaflet_ratio)},
+          {"strain_circumferential_max", estimate_json(estimates.strain_circumferential)},
+          {"strain_radial_max", estimate_json(estimates.strain_radial)},
           {"opening_area_mm2", estimate_json(estimates.opening_mm2)},
           {"gradient_mmhg", estimate_json(estimates.gradient_mmhg)},
           {"durability_mm", estimate_json(estimates.durability_mm)}};
@@ -214,7 +214,7 @@ Json ranked_json(const RankedPlan& ranked, const FineMesh& mesh) {
                {"posteromedial_movement_mm", ranked.effort.posteromedial_movement_mm},
                {"region_closures", region.closures},
                {"region_failures", region.failures},
-               {"margin_to_leak", margin_json(region.margin_to_leak)},
+               {"margin_to_leak", margin_json(region)},
                {"pareto", ranked.pareto},
                {"beaten_by", beaten_json(ranked)},
                {"times_first", ranked.times_first},
@@ -297,6 +297,7 @@ Json to_json(const SearchResult& result) {
                 [&](const RankedPlan& plan) { return ranked_json(plan, result.fine_mesh); })},
        {"fine_mesh", fine_mesh_json(result.fine_mesh)},
        {"model_draws", model_json(result)},
+       {"information", to_json(result.information)},
        {"best_cost_history", list_of(result.progress, [](const Progress& p) { return p.cost; })},
        {"progress", list_of(result.progress, progress_json)},
        {"random_progress", list_of(result.random_progress, progress_json)},

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/metrics/closed_figures.h"
+#include "core/valve/leaflets.h"
 #include "io/json/diagnosis_json.h"
 #include "io/json/version.h"
 
@@ -103,6 +105,15 @@ Json leaflets_json(const std::vector<LeafletMeasure>& leaflets) {
   return list;
 }
 
+/// Of closed_figures(), by their names.
+Json estimates_json(const ValveMeasure& measure, int triangles) {
+  Json json;
+  const auto estimates = closed_estimates(measure, triangles);
+  for (std::size_t i = 0; i < estimates.size(); ++i)
+    json[closed_figures()[i].name] = estimate_json(estimates[i]);
+  return json;
+}
+
 // `json` with the members of `more` after its own.
 Json joined(Json json, const Json& more) {
   for (const auto& [name, value] : more.items()) json[name] = value;
@@ -151,12 +162,19 @@ Errors errors_from_json(const Json& list) {
 }
 
 Json to_json(const Estimate& estimate) {
-  const auto interval = [](const std::optional<Interval>& part) {
-    return part ? Json{part->low, part->high} : Json();
-  };
-  return {{"numerical", interval(estimate.numerical)},
-          {"tissue", interval(estimate.tissue)},
-          {"execution", interval(estimate.execution)}};
+  return {{"numerical", interval_json(estimate.numerical)},
+          {"tissue", interval_json(estimate.tissue)},
+          {"execution", interval_json(estimate.execution)}};
+}
+
+Json interval_json(const std::optional<Interval>& interval) {
+  return interval ? Json{interval->low, interval->high} : Json();
+}
+
+Json estimate_json(const Estimate& estimate) {
+  Json json = {{"value", estimate.value}};
+  json.update(to_json(estimate));
+  return json;
 }
 
 Json to_json(const Leak& leak, double error_mm2) {
@@ -238,6 +256,8 @@ Json closure_to_json(const Valve& valve, const ClosureResult& closure, const Val
                      to_json(measure));
   if (is_mitral(valve))
     json["coaptation_area_index"] = coaptation_area_index(valve, closure.closed_mm);
+  const bool known = is_mitral(valve) && trusted(closure);
+  json["estimates"] = estimates_json(measure, known ? static_cast<int>(valve.faces.rows()) : 0);
   json["diagnosis"] = to_json(diagnose(valve, closure, measure));
   return json;
 }

@@ -29,6 +29,12 @@ Json to_json(const ValveMeasure& measure);
 /// null.
 Json to_json(const Estimate& estimate);
 
+/// [low, high]; null: none.
+Json interval_json(const std::optional<Interval>& interval);
+
+/// {"value", and the members of an Estimate}.
+Json estimate_json(const Estimate& estimate);
+
 /// {"area_mm2", "error_mm2", and the members of an Estimate, "between_mm2": [lower, upper], "openings": [{"area_mm2", "centroid_mm", "normal", "segments", "width_mm",
 /// "outline_mm"}]}. What is not known is null.
 Json to_json(const Leak& leak, double error_mm2);

@@ -97,7 +97,8 @@ std::string plan_report_html(const PlanReport& report) {
   if (report.result.plans.empty())
     html += without_plans(report);
   else
-    html += first_page(report) + contents + ranked_section(report) + evidence_section(report);
+    html += first_page(report) + contents + ranked_section(report) + evidence_section(report) +
+            information_section(report.result);
   html += search_section(report.result) + limits_section() + reproduction_section(report);
   const std::string header = shortened(report.before.valve.name, kLongestHeader);
   const std::string lead =

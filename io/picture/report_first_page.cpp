@@ -169,10 +169,21 @@ std::string leak_figure(const Estimate& before, const Estimate& after) {
                         (was.cause.empty() || was.cause == is.cause ? "" : ", " + was.cause));
 }
 
+std::string tension_figure(double before_n, const RankedPlan& plan) {
+  const std::string before = "before " + with_unit(before_n, 2, "N");
+  constexpr const char* kName = "Highest chordal tension";
+  if (!std::isfinite(plan.estimates.tension_max_n.value))
+    return key_figure(kName, with_unit(plan.measure.tension_max_n, 2, "N"), before);
+  const auto [value, interval, cause] = words_of(plan.estimates.tension_max_n);
+  return key_figure(kName, value + " N",
+                    (interval.empty() ? "" : interval + " N " + cause + "; ") + before);
+}
+
 std::string figures(const SearchResult& result, const RankedPlan& plan) {
   const ValveMeasure& before = result.before.measure;
   const bool has_interval = plan.estimates.leak_mm2.execution.has_value();
   const LeakMargin& margin = plan.region.margin_to_leak;
+  const std::string why = why_margin_unknown(plan.region);
   const ValveMeasure& after = plan.measure;
   const std::string of_variations = varied(plan)
                                         ? "of " + grouped(plan.region.closures) + " closures"
@@ -189,13 +200,13 @@ std::string figures(const SearchResult& result, const RankedPlan& plan) {
          key_figure("Margin to leak",
                     suture_margin(margin) + (std::isfinite(margin.suture_length_mm) ? " mm" : "") +
                         " · " + angle_margin(margin) + (std::isfinite(margin.angle_deg) ? "°" : ""),
-                    "smallest error with a leak of " + shown(kTraceLeak_mm2) + " mm²") +
+                    why.empty() ? "smallest error with a leak of " + shown(kTraceLeak_mm2) + " mm²"
+                                : why) +
          key_figure("Coaptation height, mean", with_unit(after.coaptation.height_mean_mm, 1, "mm"),
                     "minimum " + fixed(after.coaptation.height_min_mm, 1) + "; before " +
                         fixed(before.coaptation.height_mean_mm, 1) + ", minimum " +
                         fixed(before.coaptation.height_min_mm, 1)) +
-         key_figure("Highest chordal tension", with_unit(after.tension_max_n, 2, "N"),
-                    "before " + with_unit(before.tension_max_n, 2, "N")) +
+         tension_figure(before.tension_max_n, plan) +
          key_figure("Ring undersizing", undersizing(plan),
                     shown(kUsualSizesBelow) +
                         " sizes are usual for tethered leaflets, none for others; more than " +

@@ -16,6 +16,9 @@ std::string ranked_section(const PlanReport& report);
 /// For each plan told its figure, its gates and the closed valve; the one in front unfolded.
 std::string evidence_section(const PlanReport& report);
 
+/// Which measurement would say most of the leak that the first plan leaves; empty where it is not known.
+std::string information_section(const SearchResult& result);
+
 /// Best cost against closures, which few closures spoke for many, what was left out.
 std::string search_section(const SearchResult& result);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/valve/counted.h"
 #include "io/picture/chart.h"
 #include "io/picture/html.h"
 #include "io/picture/report_parts.h"
@@ -100,6 +101,22 @@ std::string cut_table(const std::vector<CutBranches>& cut) {
 }
 
 }  // namespace
+
+std::string information_section(const SearchResult& result) {
+  if (result.information.empty()) return "";
+  std::vector<std::vector<std::string>> cells = {
+      {"Measurement", "Variance removed", "Remaining sd, mm²"}};
+  for (const InformationRow& row : result.information) {
+    const bool known = std::isfinite(row.share_removed);
+    cells.push_back({row.measurement, known ? percent(row.share_removed) : "n/a",
+                     known ? fixed(row.remaining_mm2, 1) : "n/a"});
+  }
+  return "<section id=\"information\"><h2>What would say more</h2>\n<p>How much a measurement of "
+         "the unrepaired valve, with the error stated, would reduce the tissue error of the leak "
+         "that the first plan leaves, of " +
+         counted(result.model_draws, "variant") + " of tissue and chordae.</p>\n" +
+         table_html(cells) + "</section>\n";
+}
 
 std::string search_section(const SearchResult& result) {
   if (!is_search(result))

@@ -33,7 +33,7 @@ std::vector<ModelDraw> drawn(const PlanEvaluations& evaluations, int count, int 
 struct Before {
   PlanClosure closure;
   double thickness_mm = 0.0;
-  std::optional<ModelFigures> figures = {};  ///< of one that closes
+  std::optional<InformedDraw> informed = {};  ///< of one that closes
 };
 
 /// None if the search was cancelled before.
@@ -51,9 +51,27 @@ std::vector<std::optional<Before>> close_before(PlanEvaluations& evaluations,
         with_leak_surface(*valve, evaluations.evaluate(*valve, start.closure.get()));
     all[at]->closure = plan_closure(closed.evaluation);
     all[at]->thickness_mm = valve->tissue.thickness_mm;
-    if (trusted(closed.evaluation)) all[at]->figures = model_figures(closed.evaluation.measure);
+    const ValveMeasure& measure = closed.evaluation.measure;
+    if (trusted(closed.evaluation))
+      all[at]->informed = {0.0, 0.0, draws[at].shares, model_figures(measure),
+                           shape_figures(measure)};
   });
   return all;
+}
+
+/// A plan in a draw, as a search closes it; `measured`: its leak by the surface, if the closure was kept.
+struct DrawnClosure {
+  PlanClosure closure;
+  std::optional<PlanClosure> measured = {};
+};
+
+DrawnClosure close_drawn(PlanEvaluations& evaluations, const Valve& valve,
+                         const ClosureResult* start) {
+  const ClosedPlan closed = evaluations.evaluate(valve, start);
+  DrawnClosure drawn{plan_closure(closed.evaluation)};
+  if (closed.closure != nullptr)
+    drawn.measured = plan_closure(with_leak_surface(valve, closed).evaluation);
+  return drawn;
 }
 
 /// The draws, closed without a repair; no `before` if the search was cancelled.
@@ -75,7 +93,8 @@ ModelClosures draw_and_close_before(PlanEvaluations& evaluations, int asked) {
     }
     std::move(more.begin(), more.end(), std::back_inserter(pool));
     std::vector<std::optional<ModelFigures>> figures;
-    for (const Before& one : before) figures.push_back(one.figures);
+    for (const Before& one : before)
+      figures.push_back(one.informed ? std::optional(one.informed->figures) : std::nullopt);
     found = condition(observed, figures);
     if (found.effective >= kLeastEffective && !found.contradicts) break;
   }
@@ -90,7 +109,10 @@ ModelClosures draw_and_close_before(PlanEvaluations& evaluations, int asked) {
   int last = -1;
   for (const int draw : picked) {  // in order
     const auto at = static_cast<std::size_t>(draw);
-    if (draw != last) model.distinct.push_back(std::move(pool[at]));
+    if (draw != last) {
+      model.distinct.push_back(std::move(pool[at]));
+      model.informed.push_back(before[at].informed);
+    }
     last = draw;
     model.picked.push_back(static_cast<int>(model.distinct.size()) - 1);
     const Before& own = before[at];
@@ -120,27 +142,51 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
   }
   const auto count = static_cast<int>(missing.size());
   const auto each = static_cast<int>(model.distinct.size());
-  std::vector<std::optional<PlanClosure>> closures(missing.size() * model.distinct.size());
+  std::vector<std::optional<DrawnClosure>> closures(missing.size() * model.distinct.size());
   for_each_index(count * each, evaluations.threads(), [&](int i) {
     if (evaluations.cancelled()) return;
     const ModelDraw& draw = model.distinct[static_cast<std::size_t>(i % each)];
     const std::optional<Valve> valve = drawn_valve(draw, &missing[i / each]->plan);
-    closures[i] =
-        valve
-            ? plan_closure(evaluations.evaluate(*valve, starts[i / each].closure.get()).evaluation)
-            : refused();
+    closures[i] = valve ? close_drawn(evaluations, *valve, starts[i / each].closure.get())
+                        : DrawnClosure{refused(), refused()};
   });
   for (const auto& closure : closures) model.closures += closure.has_value();
   if (std::any_of(closures.begin(), closures.end(), [](const auto& one) { return !one; })) {
     model.before.clear();  // cancelled
     model.contexts.clear();
     model.plans.clear();
+    model.measured.clear();
     return model;
   }
+  const bool kept = std::all_of(closures.begin(), closures.end(),
+                                [](const auto& one) { return one->measured.has_value(); });
   for (const int draw : model.picked)
-    for (int i = 0; i < count; ++i)
-      model.plans[missing[i]].push_back(*closures[static_cast<std::size_t>(i * each + draw)]);
+    for (int i = 0; i < count; ++i) {
+      const DrawnClosure& drawn = *closures[static_cast<std::size_t>(i * each + draw)];
+      model.plans[missing[i]].push_back(drawn.closure);
+      if (kept) model.measured[missing[i]].push_back(*drawn.measured);
+    }
   return model;
+}
+
+std::vector<InformationRow> information_rows(const ModelClosures& model, const PlanRecord& plan) {
+  const auto measured = model.measured.find(&plan);
+  if (measured == model.measured.end() || model.contradicts || model.pool < kConditionedDraws)
+    return {};
+  std::vector<InformedDraw> draws;
+  for (std::size_t i = 0; i < model.picked.size(); ++i) {
+    const PlanClosure& closure = measured->second[i];
+    const auto at = static_cast<std::size_t>(model.picked[i]);
+    if (!model.informed[at] || !trusted(closure)) continue;
+    if (i > 0 && model.picked[i] == model.picked[i - 1]) {
+      draws.back().weight += 1.0;  // one that was picked several times weighs more
+      continue;
+    }
+    draws.push_back(*model.informed[at]);
+    draws.back().leak_mm2 = closure.leak_mm2;
+    draws.back().weight = 1.0;
+  }
+  return information_rows(draws, model.effective);
 }
 
 int most_draw_closures(const Valve& valve, int plans, int asked) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "search/conditioning.h"
+#include "search/information.h"
 #include "search/plans/plan_evaluations.h"
 #include "search/plans/valve_draw.h"
 
@@ -40,6 +41,11 @@ struct ModelClosures {
   std::vector<PlanClosure> before;
   std::vector<CostContext> contexts;  ///< of costs there: as thick, as tense unrepaired
   std::map<const PlanRecord*, std::vector<PlanClosure>> plans;
+  /// The same closures, their leaks by the surface; none where the evaluator keeps no closures.
+  std::map<const PlanRecord*, std::vector<PlanClosure>> measured;
+  /// By `distinct`, weights and leaks left out: what measurements would show of the unrepaired valve; none of a draw that is not to be
+  /// trusted.
+  std::vector<std::optional<InformedDraw>> informed;
   int closures = 0;  ///< made; SearchResult::closures does not count them
 };
 
@@ -50,6 +56,10 @@ ModelClosures close_under_draws(PlanEvaluations& evaluations, const std::vector<
 
 /// How many closures that makes at most.
 int most_draw_closures(const Valve& valve, int plans, int asked);
+
+/// Which measurement of the valve would say most of the leak that a plan leaves. None of fewer than kConditionedDraws draws, which say
+/// too little, where what was observed contradicts the model, and where leaks were not measured.
+std::vector<InformationRow> information_rows(const ModelClosures& model, const PlanRecord& plan);
 
 ModelSpread model_spread(const std::vector<PlanClosure>& by_draw);
 

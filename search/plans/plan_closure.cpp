@@ -11,14 +11,13 @@ namespace coapt {
 
 PlanClosure plan_closure(const Evaluation& evaluation) {
   const ValveMeasure& measure = evaluation.measure;
-  const auto& sections = measure.coaptation.sections;
   return {evaluation.status,
           evaluation.crossing,
           measure.leak.area_mm2,
-          (sections[3].height_mm + sections[4].height_mm + sections[5].height_mm) / 3.0,
+          coaptation_a2_p2_mm(measure),
           measure.coaptation.distance_max_mm,
           measure.tension_max_n,
-          measure.anterior_length_mm / measure.posterior_length_mm};
+          leaflet_ratio(measure)};
 }
 
 bool raises_sam_risk(double ratio, double before) {

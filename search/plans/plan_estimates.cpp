@@ -1,6 +1,7 @@
 #include "search/plans/plan_estimates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Measured {
   const PlanClosure* finer = nullptr;  ///< null: not closed, or not to be trusted
   int finer_triangles = 0;
   Weighed draws{}, region{};
+  Weighed measured_draws{};  ///< their leaks by the surface; empty: as `draws`
   std::optional<PlanOpening> opening{};
 };
 
@@ -50,7 +52,7 @@ std::optional<Interval> changed(const Weighed& of, double PlanClosure::*figure,
                                 const PlanClosure& own, double measured) {
   std::vector<double> values, weights;
   for (std::size_t i = 0; i < of.closures.size(); ++i) {
-    if (!trusted(*of.closures[i])) continue;
+    if (!trusted(*of.closures[i]) || !std::isfinite(of.closures[i]->*figure)) continue;
     values.push_back(std::max(0.0, measured + of.closures[i]->*figure - own.*figure));
     if (!of.weights.empty()) weights.push_back(of.weights[i]);
   }
@@ -58,7 +60,7 @@ std::optional<Interval> changed(const Weighed& of, double PlanClosure::*figure,
 }
 
 Estimate with_spread(Estimate estimate, const Measured& known, double PlanClosure::*figure) {
-  if (!trusted(known.own)) return estimate;
+  if (!trusted(known.own) || !std::isfinite(known.own.*figure)) return estimate;
   estimate.tissue = changed(known.draws, figure, known.own, estimate.value);
   estimate.execution = changed(known.region, figure, known.own, estimate.value);
   return estimate;
@@ -72,7 +74,12 @@ Estimate leak(const Measured& known) {
     leak.numerical =
         area_interval(known.finer->leak_mm2,
                       area_error_mm2(known.finer->leak_mm2, {.triangles = known.finer_triangles}));
-  return with_spread(leak, known, &PlanClosure::leak_mm2);
+  leak = with_spread(leak, known, &PlanClosure::leak_mm2);
+  if (known.measured_draws.closures.empty() || !trusted(known.own)) return leak;
+  PlanClosure own = known.own;
+  own.leak_mm2 = leak.value;
+  leak.tissue = changed(known.measured_draws, &PlanClosure::leak_mm2, own, leak.value);
+  return leak;
 }
 
 Estimate closed(const Measured& known, Figure of, double PlanClosure::*figure) {
@@ -98,10 +105,21 @@ std::vector<double> figures_of(const std::vector<PlanOpening>& openings,
   return figures;
 }
 
+/// One that closures of a search do not keep.
+Estimate from_measure(const Measured& known, Figure of, double value) {
+  if (!trusted(known.own)) return {value};
+  return {value, figure_interval(of, value, known.triangles)};
+}
+
 PlanEstimates estimates_of(const Measured& known) {
+  const ValveMeasure& measure = known.measure;
   return {.leak_mm2 = leak(known),
           .coaptation_mm = closed(known, Figure::Coaptation, &PlanClosure::coaptation_mm),
           .tension_max_n = closed(known, Figure::Tension, &PlanClosure::tension_max_n),
+          .leaflet_ratio = closed(known, Figure::LeafletRatio, &PlanClosure::leaflet_ratio),
+          .strain_circumferential = from_measure(known, Figure::CircumferentialStrain,
+                                                 measure.strain_circumferential_max),
+          .strain_radial = from_measure(known, Figure::RadialStrain, measure.strain_radial_max),
           .opening_mm2 = opened(known, Figure::Opening, &OpeningMeasure::opening_area_mm2),
           .gradient_mmhg = opened(known, Figure::Gradient, &OpeningMeasure::gradient_mmhg)};
 }
@@ -121,6 +139,9 @@ PlanEstimates plan_estimates(const PlanEvaluations& evaluations, const PlanRecor
     known.finer = &finer->second;
   if (const auto drawn = model.plans.find(&plan); drawn != model.plans.end() && !model.contradicts)
     known.draws = each_once(drawn->second, model.picked);
+  if (const auto drawn = model.measured.find(&plan);
+      drawn != model.measured.end() && !model.contradicts)
+    known.measured_draws = each_once(drawn->second, model.picked);
   for (int node = 0; node < nodes; ++node) known.region.closures.push_back(&plan.closures.at(node));
   PlanEstimates estimates = estimates_of(known);
   if (const std::optional<Durability> lasts = durability(plan))

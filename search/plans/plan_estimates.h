@@ -1,8 +1,8 @@
 // What is known of a plan's figures that gates and rules of practice use, or of the valve as it is: by the finer mesh, the draws of the
 // model and the region.
 //
-// Over draws and nodes leaks are estimated (LeakBy): what they change is added to the leak as planned, which is measured. Durability is
-// found once: of it only the numerical error is known.
+// Over draws leaks are measured. Over nodes they are estimated (LeakBy): what they change is added to the leak as planned, which is measured.
+// Durability is found once: of it only the numerical error is known.
 #pragma once
 
 #include "core/metrics/estimate.h"
@@ -18,6 +18,10 @@ struct PlanEstimates {
   Estimate leak_mm2{};
   Estimate coaptation_mm{};  ///< of A2 with P2 (PlanClosure)
   Estimate tension_max_n{};  ///< of all chordae and neochordae
+  Estimate
+      leaflet_ratio{};  ///< by which systolic anterior motion is a risk; over those closures where the leaflets touch
+  Estimate strain_circumferential{},
+      strain_radial{};  ///< no rule uses them: of the numerical error alone
   Estimate opening_mm2{}, gradient_mmhg{};
   Estimate durability_mm{};
 };

@@ -133,6 +133,8 @@ void rank_finalists(PlanEvaluations& evaluations, std::vector<PlanRecord*> final
   result.observed_contradicts = model.contradicts;
   result.before_estimates =
       estimates_before(evaluations, result.before.measure, result.opening_before, fine.mesh, model);
+  if (!result.plans.empty())
+    result.information = information_rows(model, evaluations.record(result.plans.front().plan));
   if (model.draws > 0) open_under_draws(evaluations, model, result);
 }
 

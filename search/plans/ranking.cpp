@@ -406,8 +406,11 @@ std::vector<RankedPlan> rank(PlanEvaluations& evaluations, const std::vector<Pla
     plan.acceptable_probability = merits.back().acceptable_probability;
     plan.is_acceptable = is_acceptable(merits.back());
     plan.tier = tier_of(merits.back());
-    if (const auto drawn = model.plans.find(record); drawn != model.plans.end())
-      plan.model = model_spread(drawn->second);
+    if (const auto drawn = model.plans.find(record); drawn != model.plans.end()) {
+      const auto measured = model.measured.find(record);
+      plan.model =
+          model_spread(measured == model.measured.end() ? drawn->second : measured->second);
+    }
     plan.estimates = plan_estimates(evaluations, *record, plan.measure, nodes, fine, model);
   }
   if (finely) {

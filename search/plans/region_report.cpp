@@ -8,6 +8,7 @@
 
 #include "core/metrics/quantile.h"
 #include "core/repair/approximation.h"
+#include "core/valve/counted.h"
 
 namespace coapt {
 namespace {
@@ -229,6 +230,18 @@ RegionReport region_report(const PlanRecord& plan, int nodes) {
   report.remodelling = remodelling_curves(closures);
   report.indices = region_indices(closures);
   return report;
+}
+
+std::string why_margin_unknown(const RegionReport& report) {
+  const bool length = std::isfinite(report.margin_to_leak.suture_length_mm),
+             angle = std::isfinite(report.margin_to_leak.angle_deg);
+  if (length && angle) return "";
+  if (report.closures < 2) return "no error of execution was closed";
+  const std::string closed =
+      "the " + counted(report.closures - 1, "error") + " of execution closed";
+  if (length) return "no error of angle alone is among " + closed;
+  if (angle) return "no error of suture length alone is among " + closed;
+  return "neither an error of suture length alone nor one of angle alone is among " + closed;
 }
 
 LeakStatistics leak_statistics(const PlanRecord& plan, int nodes) {

@@ -70,6 +70,9 @@ struct RegionReport {
 /// closed.
 RegionReport region_report(const PlanRecord& plan, int nodes);
 
+/// Why a part of its margin is not known, in a sentence; empty: all of it is.
+std::string why_margin_unknown(const RegionReport& report);
+
 /// Its leak_mm2 alone.
 LeakStatistics leak_statistics(const PlanRecord& plan, int nodes);
 

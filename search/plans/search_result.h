@@ -133,7 +133,9 @@ struct SearchResult {
   double effective_draws = 0.0;         ///< see ModelClosures::effective
   bool observed_contradicts = false;    ///< the model: the draws are not weighed
   PlanEstimates before_estimates{};     ///< of the valve as it is
-  int model_closures = 0;               ///< made for these draws; `closures` does not count them
+  /// Which measurement would say most of the leak that the first plan leaves; of kConditionedDraws draws or more.
+  std::vector<InformationRow> information{};
+  int model_closures = 0;  ///< made for these draws; `closures` does not count them
   /// Whether a ranked plan is acceptable.
   bool any_acceptable = false;
   /// Of the search, at one closure a plan.

@@ -51,8 +51,7 @@ ModelUncertainty uncertainty(double as_it_is_mm2, const std::vector<ModelStudyDr
 
 void take_figures(const ValveMeasure& measure, ModelStudyDraw& draw) {
   draw.figures = model_figures(measure);
-  draw.closed_shape = {measure.tenting_height_mm, measure.tenting_area_mm2,
-                       measure.coaptation.height_mean_mm};
+  draw.closed_shape = shape_figures(measure);
 }
 
 /// A draw as it is asked for, and of the unrepaired valve where that is another.
@@ -64,6 +63,7 @@ ModelStudyDraw closed_draw(const ModelDraw& drawn, const Evaluator& evaluate,
   const Evaluation evaluation = evaluate(*valve, nullptr).evaluation;
   draw.trusted = trusted(evaluation);
   draw.leak_mm2 = evaluation.measure.leak.area_mm2;
+  draw.closed = closed_figures_of(evaluation.measure);
   if (options.plan == nullptr) {
     if (draw.trusted) take_figures(evaluation.measure, draw);
     return draw;
@@ -112,17 +112,34 @@ bool weigh(ModelStudy& study) {
   return found.effective >= kLeastEffective && !found.contradicts;
 }
 
+template <class Value>
+std::optional<Interval> interval_over(const ModelStudy& study, const Value& value) {
+  if (study.contradicts) return std::nullopt;
+  std::vector<double> values, weights;
+  for (const ModelStudyDraw& draw : study.draws) {
+    if (!draw.trusted || !std::isfinite(value(draw))) continue;
+    values.push_back(value(draw));
+    weights.push_back(draw.weight);
+  }
+  return sampled_interval(values, weights);
+}
+
 }  // namespace
 
 std::optional<Interval> tissue_interval(const ModelStudy& study) {
-  if (study.contradicts) return std::nullopt;
-  std::vector<double> areas, weights;
-  for (const ModelStudyDraw& draw : study.draws) {
-    if (!draw.trusted) continue;
-    areas.push_back(draw.leak_mm2);
-    weights.push_back(draw.weight);
-  }
-  return sampled_interval(areas, weights);
+  return interval_over(study, [](const ModelStudyDraw& draw) { return draw.leak_mm2; });
+}
+
+std::optional<Interval> tissue_interval(const ModelStudy& study, std::size_t figure) {
+  return interval_over(study, [=](const ModelStudyDraw& draw) { return draw.closed[figure]; });
+}
+
+std::vector<InformationRow> information_rows(const ModelStudy& study) {
+  std::vector<InformedDraw> draws;
+  for (const ModelStudyDraw& draw : study.draws)
+    if (draw.trusted && draw.figures && draw.weight > 0.0)
+      draws.push_back({draw.leak_mm2, draw.weight, draw.shares, *draw.figures, draw.closed_shape});
+  return information_rows(draws, study.effective);
 }
 
 ModelStudy study_model(const Valve& valve, const ModelStudyOptions& options) {

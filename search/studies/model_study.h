@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "core/metrics/closed_figures.h"
 #include "core/metrics/estimate.h"
 #include "search/conditioning.h"
 #include "search/evaluator.h"
+#include "search/information.h"
 #include "search/plans/valve_draw.h"
 #include "search/studies/sobol_indices.h"
 
@@ -34,9 +36,9 @@ struct ModelStudyDraw {
   double leak_mm2 = 0.0;
   /// Of the valve as it was observed, where it closes; of one that is not repaired the same closure.
   std::optional<ModelFigures> figures{};
-  std::array<double, 3>
-      closed_shape{};   ///< of the same: tenting height and area, mean height of coaptation
-  double weight = 0.0;  ///< among the draws that are trusted, sum 1
+  ShapeFigures closed_shape{};  ///< of the same
+  double weight = 0.0;          ///< among the draws that are trusted, sum 1
+  ClosedFigures closed{};       ///< as the leak, of the valve that is asked for
 };
 
 /// The leak over the draws whose closure is trusted, as they weigh; NaN without any.
@@ -62,6 +64,12 @@ struct ModelStudy {
 
 /// The tissue's part of the leak's error: none without enough draws, and where what was observed contradicts the model.
 std::optional<Interval> tissue_interval(const ModelStudy& study);
+
+/// The same of one of closed_figures(), over those draws where it is known.
+std::optional<Interval> tissue_interval(const ModelStudy& study, std::size_t figure);
+
+/// Of its draws where the unrepaired valve closes.
+std::vector<InformationRow> information_rows(const ModelStudy& study);
 
 /// Each closure starts from the open state, as close_valve() alone does. @pre the valve is valid and
 /// mitral, the plan can be applied to it.

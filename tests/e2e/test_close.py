@@ -58,8 +58,14 @@ class Close(ProgramTest):
         for key in ["status", "crossing", "opening_area_mm2", "projected_area_mm2", "gradient_mmhg", "flow_ml_s"]:
             self.assertEqual(opening[key], printed[key], key)
         self.assertNotIn("opening", self.close(VALVE))
-        words = f"opening         {0.01 * opening['opening_area_mm2']:.1f} cm2, mean gradient "
-        self.assertIn(words, coapt("close", VALVE, "--open").stdout)
+        words = coapt("close", VALVE, "--open").stdout
+        shown, error = re.search(
+            r"\n  opening +([\d.]+) ± ([\d.]+) cm2, mean gradient [\d.]+ ± [\d.]+ mmHg at ", words
+        ).groups()
+        area = opening["estimates"]["opening_area_mm2"]
+        self.assertEqual((area["value"], area["tissue"]), (opening["opening_area_mm2"], None))
+        self.assertAlmostEqual(float(shown), 0.01 * area["value"], delta=0.006)
+        self.assertAlmostEqual(float(error), 0.01 * (area["numerical"][1] - area["value"]), delta=0.006)
 
     def test_pressure_and_tissue_take_the_place_of_the_valves_own(self):
         own = self.close("human-functional-mr")["leak_mm2"]

@@ -4,7 +4,7 @@ import json
 import struct
 import unittest
 
-from programs import BAD_INPUT, FAILURE, NOT_CLOSED, ProgramTest, coapt, small_valve
+from programs import BAD_INPUT, FAILURE, NOT_CLOSED, SOURCE, ProgramTest, coapt, small_valve
 
 
 def grid(columns, rows, height, cell=1.0, x=0.0, y=0.0):
@@ -74,6 +74,21 @@ class Compare(ProgramTest):
         self.assertTrue(found["alignment"]["rigid"] and found["alignment"]["settled"])
         self.assertLess(found["alignment"]["rotation_deg"], 5)
         self.assertLess(found["rms_mm"], 1)
+
+    def test_a_valve_is_repaired_and_closed_as_close_does_it(self):
+        plan, valve = SOURCE / "examples/plans/ring.json", "human-functional-mr"
+        repaired = ("--plan", plan, "--pressure", "100", "--membrane", "springs")
+        mesh = self.folder / "repaired.ply"
+        self.run_ok("close", valve, *repaired, "--closed", mesh)
+        self.assertLess(self.compare(valve, mesh, *repaired)["max_mm"], 1e-3)
+        self.assertGreater(self.compare(valve, mesh)["max_mm"], 0.5)
+        self.assertGreater(self.compare(valve, valve, "--plan", plan)["max_mm"], 0.5)
+        fine = self.compare(valve, mesh, "--certainty", "sure")
+        self.assertGreater(fine["closed"]["nodes"], 3 * fine["reference"]["nodes"])
+        self.refused("is a surface; a repair, pressure and tissue", mesh, valve, "--plan", plan)
+        self.refused("--method: is about closing a valve", mesh, mesh, "--method", "thesis")
+        self.refused("--pressure", valve, mesh, "--pressure", "0")
+        self.refused("--accuracy", valve, mesh, "--accuracy", "1", "--converge")
 
     def test_map_and_mesh_are_written(self):
         a, b = self.write("a.obj", grid(4, 3, 0)), self.write("b.obj", grid(4, 3, 0.4))

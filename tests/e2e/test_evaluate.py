@@ -44,6 +44,20 @@ class Evaluate(ProgramTest):
         self.assertEqual([plan["region_closures"] for plan in answer["plans"]], [9, 9])
         self.assertEqual((answer["closures"], answer["plans_tried"]), (1 + 2 * 9, 2))
 
+    def test_enough_variants_say_which_measurement_would_say_more(self):
+        page = self.folder / "report.html"
+        few = ("--region-points", "1", "--no-evidence")
+        answer, _ = self.evaluate(self.mild, *few, "--model-draws", "64", "-o", page)
+        shares = [row["share_removed"] for row in answer["information"] if row["share_removed"] is not None]
+        self.assertTrue(shares and shares == sorted(shares, reverse=True), answer["information"])
+        self.assertIn("What would say more", page.read_text())
+        low, high = answer["plans"][0]["leak"]["tissue"]
+        closed = coapt("close", small_valve(), "--plan", self.mild, "--draws", "64", "--json")
+        there = json.loads(closed.stdout)["leak"]["tissue"]
+        self.assertAlmostEqual(low, there[0], delta=1.0 + 0.1 * there[0])  # the same draws, closed from other starts
+        self.assertAlmostEqual(high, there[1], delta=1.0 + 0.1 * there[1])
+        self.assertEqual(self.evaluate(self.mild, *few, "--model-draws", "8")[0]["information"], [])
+
     def test_what_plan_prints_and_what_the_page_saves_are_plans(self):
         ranked = coapt(
             "plan",

@@ -140,9 +140,11 @@ class Plan(ProgramTest):
             self.assertGreater(plan["gradient_mmhg"], 0.0)
             self.assertGreaterEqual(plan["gradient_exercise_mmhg"], plan["gradient_mmhg"])
             self.assertEqual(severity["convergence"], "pass")
-            margin = plan["margin_to_leak"]
+            margin = dict(plan["margin_to_leak"])
+            why = margin.pop("why_unknown")
             self.assertEqual(set(margin), {"suture_length_mm", "angle_deg", "share"})
             self.assertTrue(all(value is None or value >= 0.0 for value in margin.values()), margin)
+            self.assertEqual(why is None, None not in (margin["suture_length_mm"], margin["angle_deg"]))
             self.assertTrue(plan["description"])
         ahead = [plan["probability_outranks_next"] for plan in result["plans"]]
         self.assertTrue(0.0 <= ahead[0] <= 1.0, ahead)

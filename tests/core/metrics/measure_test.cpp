@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/metrics/closed_figures.h"
 #include "core/metrics/leak_estimate.h"
 #include "tests/scenes/sheets.h"
 
@@ -56,6 +58,30 @@ TEST(Measure, RepeatsItselfToTheBit) {
   EXPECT_EQ(first.leak.area_mm2, second.leak.area_mm2);
   EXPECT_EQ(first.coaptation.height_mean_mm, second.coaptation.height_mean_mm);
   EXPECT_EQ(first.tenting_area_mm2, second.tenting_area_mm2);
+}
+
+TEST(ClosedFigures, HaveTheMeshsErrorWhereTheClosureIsToBeTrusted) {
+  ValveMeasure measure;
+  measure.coaptation.sections[3].height_mm = 3.0;
+  measure.coaptation.sections[4].height_mm = 4.0;
+  measure.coaptation.sections[5].height_mm = 8.0;
+  measure.tension_max_n = 2.0;
+  measure.strain_circumferential_max = 0.2;
+  measure.strain_radial_max = 0.5;
+  const auto estimates = closed_estimates(measure, 325);  // half as many: twice the error
+  EXPECT_EQ(closed_figures_of(measure)[0], 5.0);
+  EXPECT_EQ(estimates[0].value, 5.0);
+  EXPECT_NEAR(estimates[0].numerical->high, 6.8, 1e-12);
+  EXPECT_NEAR(estimates[1].numerical->low, 1.72, 1e-12);
+  EXPECT_NEAR(estimates[3].numerical->high, 0.236, 1e-12);
+  EXPECT_NEAR(estimates[4].numerical->high, 0.56, 1e-12);
+  EXPECT_STREQ(closed_figures()[2].name, "leaflet_ratio");
+  EXPECT_TRUE(std::isnan(estimates[2].value)) << "the leaflets do not touch";
+  EXPECT_FALSE(estimates[2].numerical);
+  measure.anterior_length_mm = 20.0;
+  measure.posterior_length_mm = 10.0;
+  EXPECT_NEAR(closed_estimates(measure, 650)[2].numerical->low, 1.9, 1e-12);
+  EXPECT_FALSE(closed_estimates(measure, 0)[1].numerical);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ TEST(PlansJson, HasTheKeysThatScriptsRelyOn) {
                                                      "plans",
                                                      "fine_mesh",
                                                      "model_draws",
+                                                     "information",
                                                      "best_cost_history",
                                                      "progress",
                                                      "random_progress",
@@ -144,8 +145,9 @@ TEST(PlansJson, APlanStatesWhatIsKnownOfTheFiguresOfRules) {
   const Json json = written(to_json(result));
   const Json& estimates = json["plans"][0]["estimates"];
   EXPECT_EQ(keys(estimates),
-            (std::vector<std::string>{"coaptation_a2_p2_mm", "tension_max_n", "opening_area_mm2",
-                                      "gradient_mmhg", "durability_mm"}));
+            (std::vector<std::string>{"coaptation_a2_p2_mm", "tension_max_n", "leaflet_ratio",
+                                      "strain_circumferential_max", "strain_radial_max",
+                                      "opening_area_mm2", "gradient_mmhg", "durability_mm"}));
   EXPECT_EQ(estimates["opening_area_mm2"].dump(),
             R"({"value":320.0,"numerical":[300.0,340.0],"tissue":null,"execution":null})");
   EXPECT_EQ(estimates["tension_max_n"].dump(),
@@ -252,7 +254,7 @@ TEST(PlansJson, APlanStatesItsEffortItsRegionAndItsGates) {
             R"({"nominal":0.3,"mean":0.42,"sd":0.51,"worst":5.6,"p95":1.4,"below_5":0.992,)"
             R"("below_10":1.0,"below_20":1.0})");
   EXPECT_EQ(plan["margin_to_leak"].dump(),
-            R"({"suture_length_mm":0.75,"angle_deg":4.0,"share":0.71})");
+            R"({"suture_length_mm":0.75,"angle_deg":4.0,"share":0.71,"why_unknown":null})");
   EXPECT_EQ(plan["subset"].dump(), R"({"nodes":17,"cost":6.1})");
   EXPECT_EQ(plan["sobol"]["first"].dump(),
             R"({"suture_length":0.52,"outwards":0.24,"posterior":0.06})");
@@ -306,6 +308,7 @@ TEST(PlansJson, WhatIsNotKnownIsNull) {
             R"({"nominal":31.0,"mean":null,"sd":null,"worst":null,"p95":null,"below_5":null,)"
             R"("below_10":null,"below_20":null})");
   EXPECT_TRUE(plan["margin_to_leak"]["angle_deg"].is_null());
+  EXPECT_TRUE(plan["margin_to_leak"]["why_unknown"].is_string());
   EXPECT_TRUE(plan["sobol"]["total"]["posterior"].is_null());
   EXPECT_EQ(plan["leak_map"].dump(), "[]");
   EXPECT_TRUE(scene()["ladder"][3]["spearman"].is_null());

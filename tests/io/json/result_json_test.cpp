@@ -67,6 +67,9 @@ TEST(ResultJson, AClosureHasTheKeysThatScriptsRelyOn) {
       R"("numerical":null,"tissue":null,"execution":null,"between_mm2":[12.0,13.0],"openings":[)"
       R"({"area_mm2":12.5,"centroid_mm":[1.0,2.0,3.0],"normal":[0.0,0.0,1.0],)"
       R"("segments":["P2","A2"],"width_mm":1.5,"outline_mm":[[4.0,5.0,6.0]]}]})");
+  EXPECT_EQ(result["estimates"]["tension_max_n"].dump(),
+            R"({"value":0.0,"numerical":null,"tissue":null,"execution":null})")
+      << "of a closure that is not to be trusted";
   EXPECT_EQ(result["coaptation"]["sections"].size(), 9u);
 }
 

@@ -129,6 +129,16 @@ TEST(Report, TellsItsDateOnTheFirstPageAndEverySheet) {
   EXPECT_GT(today().size(), 9u);
 }
 
+TEST(Report, ListsWhatMeasurementsWouldSay) {
+  SearchResult result = search_result();
+  EXPECT_FALSE(contains(html_of(result), "What would say more")) << "too few draws";
+  result.information = {{"widest gap to 0.5 mm", 0.62, 5.6},
+                        {"leaflet thickness", kUnknown, kUnknown}};
+  const std::string table = section(html_of(result), "What would say more");
+  for (const char* part : {"widest gap to 0.5 mm", "62 %", "5.6", "leaflet thickness", "n/a"})
+    EXPECT_TRUE(contains(table, part)) << part;
+}
+
 TEST(Report, SaysHowTheSearchWent) {
   const std::string search = section(html_of(search_result()), "How the search went");
   for (const char* part : {"6,120 closures in 84.2 s", "12 did not converge", "310 were reused",

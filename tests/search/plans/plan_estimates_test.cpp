@@ -67,6 +67,30 @@ TEST(PlanEstimates, TissueIsWhatTheDrawsChangeUnlessTheyAreContradicted) {
   EXPECT_FALSE(nodes.estimates({}, model).tension_max_n.tissue);
 }
 
+TEST(PlanEstimates, LeaksOfDrawsThatAreMeasuredAreNotShifted) {
+  const ClosedNodes nodes;
+  ModelClosures model;
+  for (int draw = 0; draw < 5; ++draw) {
+    model.plans[&nodes.plan].push_back(closed(2.0 * draw, 4.0, 1.0));
+    model.measured[&nodes.plan].push_back(closed(2.5 * draw, 4.0, 1.0));
+  }
+  const Interval tissue = *nodes.estimates({}, model).leak_mm2.tissue;
+  EXPECT_NEAR(tissue.low, 0.0, 1e-9);
+  EXPECT_NEAR(tissue.high, 10.0, 1e-9);
+}
+
+TEST(PlanEstimates, TheLeafletRatioIsKnownWhereTheLeafletsTouch) {
+  const ClosedNodes nodes;
+  EXPECT_TRUE(std::isnan(nodes.estimates().leaflet_ratio.value));
+  EXPECT_FALSE(nodes.estimates().leaflet_ratio.execution);
+  for (int node = 0; node < 6; ++node) nodes.plan.closures[node].leaflet_ratio = 1.5 + 0.1 * node;
+  const Estimate ratio = nodes.estimates().leaflet_ratio;
+  EXPECT_EQ(ratio.value, 1.5);
+  EXPECT_LT(ratio.numerical->low, 1.5);
+  EXPECT_NEAR(ratio.execution->high, 2.0, 1e-9) << "three nodes do not say";
+  EXPECT_TRUE(nodes.estimates().strain_radial.numerical);
+}
+
 TEST(PlanEstimates, TheNumericalErrorIsAboutTheFinerMeshWhereItWasClosedOnOne) {
   const ClosedNodes nodes;
   FineClosures fine;

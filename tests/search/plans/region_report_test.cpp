@@ -91,6 +91,7 @@ TEST(RegionReport, OneTrustedNodeSaysNothingAboutARegion) {
   EXPECT_TRUE(std::isnan(report.margin_to_leak.suture_length_mm));
   EXPECT_TRUE(std::isnan(report.margin_to_leak.angle_deg));
   EXPECT_TRUE(std::isnan(report.margin_to_leak.share));
+  EXPECT_EQ(why_margin_unknown(report), "no error of execution was closed");
   EXPECT_TRUE(std::isnan(report.indices.first[0]));
   EXPECT_TRUE(report.remodelling.empty());
   plan.closures[1] = failed();
@@ -149,6 +150,23 @@ TEST(RegionReport, MarginIsHowFarTheFirstLeakLiesOnEachAxis) {
   EXPECT_NEAR(margin(plan).suture_length_mm, 1.0, kTolerance);
   EXPECT_NEAR(margin(plan).angle_deg, 5.0, kTolerance);
   EXPECT_NEAR(margin(plan).share, 0.6, kTolerance);
+}
+
+TEST(RegionReport, AMarginThatIsNotKnownSaysWhy) {
+  const PlanRecord plan = whole_region([](int, int, int) { return 0.0; });
+  EXPECT_EQ(why_margin_unknown(region_report(plan, kRegion.count)), "");
+  PlanRecord angles;
+  angles.closures = {{0, leaking(0.0)},
+                     {region_node(4, 6, 5), leaking(0.0)},
+                     {region_node(5, 6, 6), leaking(0.0)}};
+  const RegionReport report = region_report(angles, kRegion.count);
+  EXPECT_EQ(why_margin_unknown(report),
+            "no error of suture length alone is among the 2 errors of execution closed");
+  angles.closures.erase(region_node(4, 6, 5));
+  EXPECT_EQ(
+      why_margin_unknown(region_report(angles, kRegion.count)),
+      "neither an error of suture length alone nor one of angle alone is among the 1 error of "
+      "execution closed");
 }
 
 TEST(RegionReport, MarginIsAllOfItOrNothing) {

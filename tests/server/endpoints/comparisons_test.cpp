@@ -58,6 +58,33 @@ TEST_F(ComparisonsTest, AValveIsClosedFirstAndLiesOnItself) {
   EXPECT_EQ(json_of(answer)["closed"]["closure"], "converged");
 }
 
+TEST_F(ComparisonsTest, AValveIsClosedAsClosuresAre) {
+  const Json valve = {{"valve", stored_valve()}};
+  Json softer = valve;
+  softer["material"] = {{"pressure_mmhg", 60.0}};
+  const Answer moved = post("/v1/comparisons", {{"closed", softer}, {"reference", valve}});
+  ASSERT_EQ(moved.status, 200) << json_of(moved);
+  EXPECT_GT(json_of(moved)["max_mm"], 0.0);
+  const Answer finer =
+      post("/v1/comparisons", {{"closed", valve}, {"reference", valve}, {"certainty", "sure"}});
+  ASSERT_EQ(finer.status, 200) << json_of(finer);
+  EXPECT_GT(json_of(finer)["closed"]["nodes"], json_of(moved)["closed"]["nodes"]);
+}
+
+TEST_F(ComparisonsTest, HowValvesAreClosedIsRefusedWhereItCannotBe) {
+  const Json valve = {{"valve", stored_valve()}};
+  EXPECT_EQ(refusal(post("/v1/comparisons", {{"closed", sheet(0.5)},
+                                             {"reference", sheet(0.0)},
+                                             {"method", "thesis"},
+                                             {"certainty", "sure"}})),
+            (Refused{422, {"/method", "/certainty"}}));
+  EXPECT_EQ(refusal(post("/v1/comparisons", {{"closed", valve},
+                                             {"reference", sheet(0.0)},
+                                             {"accuracy_mm2", 1.0},
+                                             {"converge", Json::object()}})),
+            (Refused{422, {"/converge"}}));
+}
+
 TEST_F(ComparisonsTest, WhatIsNoShapeIsRefusedWhereItStands) {
   const auto refused = [this](const Json& reference) {
     return refusal(post("/v1/comparisons", {{"closed", sheet(0.0)}, {"reference", reference}}));
@@ -99,6 +126,16 @@ TEST_F(ComparisonsTest, FilesAreReadInATurnAndNotWithTheBody) {
   const Compute::Turn other(compute());
   EXPECT_EQ(post("/v1/comparisons", wrong).status, 503) << "it is not known what is wrong with it";
   EXPECT_EQ(post("/v1/comparisons", {{"closed", 1}, {"reference", file("flat.obj")}}).status, 422);
+}
+
+TEST_F(ComparisonsTest, OneThatIsOutOfTimeIsRefused) {
+  Context context{.limits = OperationLimits::unlimited()};
+  context.limits.seconds = 0.0;
+  const auto task = read_compare({{"closed", sheet(0.0)}, {"reference", repeated(200)}}, context);
+  ASSERT_TRUE(task);
+  const auto answer = task->run(context);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.errors()[0].code, ErrorCode::Busy);
 }
 
 TEST_F(ComparisonsTest, ASurfaceCostsItsVerticesOrHalfOfItsTriangles) {

@@ -1,10 +1,11 @@
-#include "search/studies/information.h"
+#include "search/information.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "search/model_draw.h"
+#include "search/studies/model_study.h"
 
 namespace coapt {
 namespace {

@@ -1,4 +1,4 @@
-#include "search/studies/information.h"
+#include "search/information.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -22,39 +22,39 @@ constexpr double kTissueSd =
     0.05;  // of a range, as a share: a test of the leaflet's tissue, assumed
 
 /// A figure that is measured, and the standard deviation with which.
-struct Figure {
-  std::function<double(const ModelStudyDraw&)> value;
+struct FigureSeen {
+  std::function<double(const InformedDraw&)> value;
   std::function<double(double)> sd;
 };
 
 struct Measurement {
   const char* name;
-  std::vector<Figure> figures;
+  std::vector<FigureSeen> figures;
 };
 
-Figure observed(ObservedFigure figure, double sd) {
-  return {[at = static_cast<std::size_t>(figure)](const ModelStudyDraw& draw) {
-            return draw.figures->value[at];
+FigureSeen observed(ObservedFigure figure, double sd) {
+  return {[at = static_cast<std::size_t>(figure)](const InformedDraw& draw) {
+            return draw.figures.value[at];
           },
           [sd](double) { return sd; }};
 }
 
-Figure shape(std::size_t at, double sd) {
-  return {[at](const ModelStudyDraw& draw) { return draw.closed_shape[at]; },
+FigureSeen shape(std::size_t at, double sd) {
+  return {[at](const InformedDraw& draw) { return draw.closed_shape[at]; },
           [sd](double) { return sd; }};
 }
 
 /// By index of model_parameters().
-Figure tissue(std::size_t at) {
-  return {[at](const ModelStudyDraw& draw) { return draw.shares[at]; },
+FigureSeen tissue(std::size_t at) {
+  return {[at](const InformedDraw& draw) { return draw.shares[at]; },
           [](double) { return kTissueSd; }};
 }
 
 std::vector<Measurement> measurements() {
-  const Figure leak = {observed(ObservedFigure::Leak, 0.0).value,
-                       [](double mm2) { return std::max(kLeastLeakSd_mm2, kLeakShare * mm2); }};
-  const Figure gap = observed(ObservedFigure::WidestGap, kGapSd_mm);
-  const Figure tenting = observed(ObservedFigure::TentingArea, kTentingSd_mm2);
+  const FigureSeen leak = {observed(ObservedFigure::Leak, 0.0).value,
+                           [](double mm2) { return std::max(kLeastLeakSd_mm2, kLeakShare * mm2); }};
+  const FigureSeen gap = observed(ObservedFigure::WidestGap, kGapSd_mm);
+  const FigureSeen tenting = observed(ObservedFigure::TentingArea, kTentingSd_mm2);
   return {{"regurgitant area to 25 %", {leak}},
           {"widest gap to 0.5 mm", {gap}},
           {"tenting area to 20 mm2", {tenting}},
@@ -81,7 +81,7 @@ Eigen::RowVectorXd terms_of(const Eigen::RowVectorXd& x) {
 
 /// Draws that count, with their leaks and weights.
 struct Sample {
-  std::vector<const ModelStudyDraw*> draws;
+  std::vector<const InformedDraw*> draws;
   Eigen::VectorXd leak_mm2, weight;
   double variance() const {
     const double mean = weight.dot(leak_mm2);
@@ -89,19 +89,18 @@ struct Sample {
   }
 };
 
-Sample sample_of(const ModelStudy& study) {
+Sample sample_of(const std::vector<InformedDraw>& draws) {
   Sample sample;
   double sum = 0.0;
-  for (const ModelStudyDraw& draw : study.draws)
-    if (draw.trusted && draw.figures && draw.weight > 0.0) {
-      sample.draws.push_back(&draw);
-      sum += draw.weight;
-    }
+  for (const InformedDraw& draw : draws) {
+    sample.draws.push_back(&draw);
+    sum += draw.weight;
+  }
   const auto n = std::ssize(sample.draws);
   sample.leak_mm2.resize(n);
   sample.weight.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const ModelStudyDraw& draw = *sample.draws[static_cast<std::size_t>(i)];
+    const InformedDraw& draw = *sample.draws[static_cast<std::size_t>(i)];
     sample.leak_mm2(i) = draw.leak_mm2;
     sample.weight(i) = draw.weight / sum;
   }
@@ -109,15 +108,15 @@ Sample sample_of(const ModelStudy& study) {
 }
 
 /// A figure of each draw, with the error of measuring it.
-struct Measured {
+struct SeenDraws {
   Eigen::ArrayXd value, sd, seen;
 };
 
-std::vector<Measured> measured(const Sample& sample, const Measurement& by,
-                               std::mt19937_64& engine) {
+std::vector<SeenDraws> measured(const Sample& sample, const Measurement& by,
+                                std::mt19937_64& engine) {
   const auto n = std::ssize(sample.draws);
-  std::vector<Measured> all(by.figures.size());
-  for (Measured& figure : all) figure = {Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n)};
+  std::vector<SeenDraws> all(by.figures.size());
+  for (SeenDraws& figure : all) figure = {Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n)};
   for (Eigen::Index i = 0; i < n; ++i)
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].value(i) = by.figures[k].value(*sample.draws[static_cast<std::size_t>(i)]);
@@ -128,7 +127,7 @@ std::vector<Measured> measured(const Sample& sample, const Measurement& by,
 }
 
 /// Figures as seen, each of mean 0 and deviation 1 over the draws.
-Eigen::MatrixXd standardised(const Sample& sample, const std::vector<Measured>& figures) {
+Eigen::MatrixXd standardised(const Sample& sample, const std::vector<SeenDraws>& figures) {
   Eigen::MatrixXd x(std::ssize(sample.draws), std::ssize(figures));
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     x.col(k) = figures[static_cast<std::size_t>(k)].seen;
@@ -142,11 +141,11 @@ Eigen::MatrixXd standardised(const Sample& sample, const std::vector<Measured>& 
 
 /// Weighted mean square of what the others miss of each draw by their mean, weighed as they would be if it had been seen so
 /// (search/conditioning.h). Of few that agree the mean errs, too: by the n-th part of the variance of n.
-double left_by_weights(const Sample& sample, const std::vector<Measured>& figures) {
+double left_by_weights(const Sample& sample, const std::vector<SeenDraws>& figures) {
   double missed = 0.0;
   for (Eigen::Index i = 0; i < std::ssize(sample.draws); ++i) {
     Eigen::ArrayXd square = Eigen::ArrayXd::Zero(sample.leak_mm2.size());
-    for (const Measured& figure : figures)
+    for (const SeenDraws& figure : figures)
       square += ((figure.value - figure.seen(i)) / figure.sd(i)).square();
     square(i) = std::numeric_limits<double>::infinity();
     const Eigen::ArrayXd agrees =
@@ -178,8 +177,13 @@ double left_by_polynomial(const Sample& sample, const Eigen::MatrixXd& x) {
 
 }  // namespace
 
-std::vector<InformationRow> information_rows(const ModelStudy& study) {
-  const Sample sample = sample_of(study);
+ShapeFigures shape_figures(const ValveMeasure& measure) {
+  return {measure.tenting_height_mm, measure.tenting_area_mm2, measure.coaptation.height_mean_mm};
+}
+
+std::vector<InformationRow> information_rows(const std::vector<InformedDraw>& draws,
+                                             double effective) {
+  const Sample sample = sample_of(draws);
   const double variance = sample.draws.empty() ? 0.0 : sample.variance();
   std::vector<InformationRow> rows;
   std::mt19937_64 engine(1);
@@ -188,10 +192,10 @@ std::vector<InformationRow> information_rows(const ModelStudy& study) {
     const double terms = 1.0 + figures + 0.5 * figures * (figures + 1.0);
     InformationRow row{measurement.name, std::numeric_limits<double>::quiet_NaN(),
                        std::numeric_limits<double>::quiet_NaN()};
-    if (variance > 0.0 && study.effective >= kDrawsPerTerm * terms) {
+    if (variance > 0.0 && effective >= kDrawsPerTerm * terms) {
       double by_weights = 0.0, by_polynomial = 0.0;
       for (int repeat = 0; repeat < kRepeats; ++repeat) {
-        const std::vector<Measured> seen = measured(sample, measurement, engine);
+        const std::vector<SeenDraws> seen = measured(sample, measurement, engine);
         by_weights += left_by_weights(sample, seen) / kRepeats;
         by_polynomial += left_by_polynomial(sample, standardised(sample, seen)) / kRepeats;
       }
