@@ -64,7 +64,7 @@ std::string known_tenths(const Estimate& estimate, double units) {
 
 std::string interval_words(const Interval& interval) {
   const double half = 0.5 * (interval.high - interval.low);
-  return known_digits(interval.low, half) + " to " + known_digits(interval.high, half);
+  return known_tenths(interval.low, half) + " to " + known_tenths(interval.high, half);
 }
 
 EstimateWords words_of(const Estimate& estimate) {
@@ -73,7 +73,7 @@ EstimateWords words_of(const Estimate& estimate) {
   const Interval wide = *part_of(estimate, *cause);
   if (*cause == ErrorCause::Numerical && wide.low <= estimate.value && estimate.value <= wide.high)
     return {with_error(estimate.value, wide.high - estimate.value), "", "± numerical error"};
-  const std::string value = known_digits(estimate.value, half_width(estimate));
+  const std::string value = known_tenths(estimate);
   const std::string interval = interval_words(wide);
   if (*cause == ErrorCause::Tissue && tissue_excludes_value(estimate))
     return {interval, value, "with the tissue of its file"};

@@ -25,7 +25,7 @@ std::string known_tenths(double value, double error);
 /// The same of an estimate by its widest error, in so many of its units.
 std::string known_tenths(const Estimate& estimate, double units = 1.0);
 
-/// "0.1 to 3.5", "16 to 78": to the digits that half its width leaves.
+/// "0.1 to 3.5", "16 to 78": to a tenth, or to fewer digits where half its width leaves no more.
 std::string interval_words(const Interval& interval);
 
 /// What is said of an estimate by the widest part of its error that is known: "46", "16 to 78" and "with tissue error

@@ -1,7 +1,7 @@
 // A number with what is known of how far it may be off, apart by cause, and what is said of it by the widest part: the rules and
 // words of core/metrics/estimate.h and estimate_text.h.
 import type { Estimate, Leak } from './api/types'
-import { knownDigits, number, withError } from './format'
+import { knownTenths, number, withError } from './format'
 
 export type Interval = NonNullable<Estimate['tissue']> // from 5 to 95 %
 type Cause = 'numerical' | 'tissue' | 'execution'
@@ -68,17 +68,17 @@ export function estimateWords(estimate: Estimate): EstimateWords {
   const [low, high] = wide
   if (cause === 'numerical' && low <= value && value <= high)
     return { value: withError(value, high - value), interval: '', cause: '± numerical error' }
-  const known = knownDigits(value, 0.5 * (high - low))
+  const known = knownTenths(value, 0.5 * (high - low))
   const interval = intervalWords(wide)
   if (cause === 'tissue' && tissueExcludesValue(estimate))
     return { value: interval, interval: known, cause: 'with the tissue of its file' }
   return { value: known, interval, cause: `with ${WORDS[cause]} (5 to 95 %)` }
 }
 
-/// "0.1 to 3.5", "16 to 78": to the digits that half its width leaves.
+/// "0.1 to 3.5", "16 to 78": to a tenth, or to fewer digits where half its width leaves no more.
 export function intervalWords([low, high]: Interval): string {
   const half = 0.5 * (high - low)
-  return `${knownDigits(low, half)} to ${knownDigits(high, half)}`
+  return `${knownTenths(low, half)} to ${knownTenths(high, half)}`
 }
 
 /// As the command line prints a leak: "46 mm²; 16 to 78 mm² with tissue error (5 to 95 %)".

@@ -27,6 +27,12 @@ export function knownDigits(value: number | null | undefined, error: number | nu
   return number(value, isError(error) ? decimalsOf(error) : 1)
 }
 
+/// To a tenth, or to fewer digits where the error leaves no more.
+export function knownTenths(value: number, error: number): string {
+  return knownDigits(value, Math.max(LEAST_OF_TENTHS, error))
+}
+const LEAST_OF_TENTHS = 0.4 // the least error that leaves no more digits
+
 const isError = (error: number | null | undefined): error is number => Number.isFinite(error) && (error ?? -1) >= 0
 
 const TWO_DIGITS_BELOW = 3.55

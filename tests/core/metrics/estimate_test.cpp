@@ -100,6 +100,8 @@ TEST(Estimate, IsSaidByItsWidestPart) {
   EXPECT_EQ(said(leak), "0.3 | 0.1 to 3.5 | with tissue error (5 to 95 %)");
   leak.execution = Interval{0.0, 14.2};
   EXPECT_EQ(said(leak), "0 | 0 to 14 | with errors of execution (5 to 95 %)");
+  EXPECT_EQ(said({0.31, {}, Interval{0.13, 0.44}}),
+            "0.3 | 0.1 to 0.4 | with tissue error (5 to 95 %)");
 }
 
 TEST(Estimate, ShowsItsWidestPart) {

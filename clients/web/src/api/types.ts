@@ -36,6 +36,7 @@ export type ImportRequest = Omit<Schemas['FilesToFit'], 'leaflets'> & { leaflets
 export type ImportResult = Schemas['ImportResult']
 export type ImportDecision = Schemas['ImportDecision']
 export type LabelTaken = Schemas['LabelTaken']
+export type VoxelGrid = Schemas['VoxelGrid']
 export type FitResult = Schemas['FitResult']
 export type Rings = Omit<Schemas['Rings'], 'notice'>
 

@@ -150,11 +150,11 @@ export function leakFigures(plan: RankedPlan): [label: string, value: string][] 
   return [
     ['Leak as planned', leakInFull(leak)],
     [LEAK_BY_EXECUTION, range(leak.execution)],
-    ['Leak with tissue error, 5 to 95 %', range(leak.tissue)],
-    ['Leak with numerical error, 5 to 95 %', range(leak.numerical)],
+    ['Leak with tissue error, 5 to 95\u00a0%', range(leak.tissue)],
+    ['Leak with numerical error, 5 to 95\u00a0%', range(leak.numerical)],
   ]
 }
-export const LEAK_BY_EXECUTION = 'Leak with errors of execution, 5 to 95 %'
+export const LEAK_BY_EXECUTION = 'Leak with errors of execution, 5 to 95\u00a0%'
 
 /// What is known of the leak as planned.
 export function leakOf({ leak, measure }: RankedPlan): Estimate {
@@ -163,11 +163,12 @@ export function leakOf({ leak, measure }: RankedPlan): Estimate {
 
 /// "suture more than 1.00 mm, angle more than 5.0°".
 export function marginWords(plan: RankedPlan): string {
-  const { suture_length_mm, angle_deg } = plan.margin_to_leak
+  const { suture_length_mm, angle_deg, why_unknown } = plan.margin_to_leak
   const part = (value: number | null, farthest: number, unit: string, digits: number) =>
     `${value !== null && value >= farthest ? 'more than ' : ''}${withDegrees(value, unit, digits)}`
-  if (suture_length_mm === null && angle_deg === null) return 'unknown (too few region points)'
-  return `${lengthName(plan)} ${part(suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(angle_deg, FARTHEST.angle_deg, '°', 1)}`
+  if (suture_length_mm === null && angle_deg === null) return `unknown (${why_unknown ?? 'too few region points'})`
+  const why = why_unknown ? ` (${why_unknown})` : ''
+  return `${lengthName(plan)} ${part(suture_length_mm, FARTHEST.suture_length_mm, 'mm', 2)}, angle ${part(angle_deg, FARTHEST.angle_deg, '°', 1)}${why}`
 }
 
 /// What the errors of length are of: of a suture, or where there is none of the distance that holds the muscle.

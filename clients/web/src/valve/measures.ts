@@ -1,5 +1,5 @@
 // What is measured of a closure, beside what it was before if there is a repair.
-import type { Closure, Leak, Scene } from '../api/types'
+import type { Closure, Estimate, Leak, Scene } from '../api/types'
 import { dataTable } from '../charts/data_table'
 import { h } from '../dom'
 import { knownDigits, number, percent, withError } from '../format'
@@ -23,10 +23,14 @@ export const MEASURES: readonly Row[] = [
   ['Annulus, circumference, mm', (c) => number(c.annulus.circumference_mm, 0)],
   ['Annulus, area, mm²', (c) => number(c.annulus.area_mm2, 0)],
   ['Saddle height, mm', (c) => number(c.annulus.saddle_height_mm), 'saddle'],
-  ['Highest chordal tension, N', (c) => number(c.tension_max_n, 2), 'tension'],
+  ['Highest chordal tension, N', (c) => withMesh(c.tension_max_n, c.estimates?.tension_max_n, 2), 'tension'],
   ['Total chordal tension, N', (c) => number(c.tension_sum_n), 'tension'],
-  ['Circumferential strain, 99th percentile', (c) => percent(c.strain_circumferential_max), 'strain'],
-  ['Radial strain, 99th percentile', (c) => percent(c.strain_radial_max), 'strain'],
+  [
+    'Circumferential strain, 99th percentile',
+    (c) => strain(c.strain_circumferential_max, c.estimates?.strain_circumferential_max),
+    'strain',
+  ],
+  ['Radial strain, 99th percentile', (c) => strain(c.strain_radial_max, c.estimates?.strain_radial_max), 'strain'],
 ]
 
 export function measures(before: Scene, after: Scene | null): HTMLElement {
@@ -51,6 +55,19 @@ export function measures(before: Scene, after: Scene | null): HTMLElement {
     ),
     openings((after ?? before).closure.leak, after ? 'Opening after the repair' : 'Opening'),
   )
+}
+
+/// With the numerical error, where it is stated.
+function withMesh(value: number | null, estimate: Estimate | undefined, digits: number): string {
+  const high = estimate?.numerical?.[1]
+  return value === null || high === undefined ? number(value, digits) : withError(value, high - value)
+}
+
+/// Of a share.
+function strain(value: number | null, estimate: Estimate | undefined): string {
+  const high = estimate?.numerical?.[1]
+  if (value === null || high === undefined) return percent(value)
+  return `${withError(100 * value, 100 * (high - value))}\u00a0%`
 }
 
 function bounds({ between_mm2 }: Leak): string {

@@ -16,6 +16,8 @@ test('an estimate is said by its widest part, in the words of the command line',
   expect(said(leak)).toBe('0.3 | 0.1 to 3.5 | with tissue error (5 to 95 %)')
   leak.execution = [0, 14.2]
   expect(said(leak)).toBe('0 | 0 to 14 | with errors of execution (5 to 95 %)')
+  const close: Estimate = { value: 0.31, numerical: null, tissue: [0.13, 0.44], execution: null }
+  expect(said(close)).toBe('0.3 | 0.1 to 0.4 | with tissue error (5 to 95 %)')
 })
 
 test('tissue that excludes the value takes its place', () => {

@@ -102,9 +102,9 @@ test('a leak is told with the widest of its errors, then by each cause', () => {
   const leak = { area_mm2: 0.3, numerical: [0, 1.4], tissue: [0.1, 3.5], execution: [0, 14.2] } as const
   expect(leakFigures({ ...plan({}), leak } as unknown as RankedPlan)).toEqual([
     ['Leak as planned', '0 mm²; 0 to 14 mm² with errors of execution (5 to 95 %)'],
-    ['Leak with errors of execution, 5 to 95 %', '0 to 14 mm²'],
-    ['Leak with tissue error, 5 to 95 %', '0.1 to 3.5 mm²'],
-    ['Leak with numerical error, 5 to 95 %', '0.0 to 1.4 mm²'],
+    ['Leak with errors of execution, 5 to 95\u00a0%', '0 to 14 mm²'],
+    ['Leak with tissue error, 5 to 95\u00a0%', '0.1 to 3.5 mm²'],
+    ['Leak with numerical error, 5 to 95\u00a0%', '0.0 to 1.4 mm²'],
   ])
   const [planned, execution] = leakFigures(plan({ mean: 0.3 })) // of a release that stated no intervals
   expect([planned?.[1], execution?.[1]]).toEqual(['0.3 mm²', 'unknown'])
