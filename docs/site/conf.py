@@ -47,6 +47,7 @@ add_module_names = False
 ANSWERS = (
     "closures",
     "comparison",
+    "estimates",
     "events",
     "evidence",
     "fits",

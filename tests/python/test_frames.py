@@ -35,6 +35,7 @@ class Frames(ClientTest):
         self.assert_units(frame)
         self.assertEqual(list(frame["rank"]), [plan.rank for plan in result.plans])
         self.assertEqual(list(frame.cost_mm2), [plan.cost for plan in result.plans])
+        self.assertEqual(list(frame.ranked_cost_mm2), [plan.json["ranked_cost"] for plan in result.plans])
         self.assertEqual(list(frame.leak_mm2), [plan.leak_mm2.nominal for plan in result.plans])
         self.assertEqual(list(frame.p95_leak_mm2), [plan.leak_mm2.p95 for plan in result.plans])
         self.assertEqual(list(frame.description), ["; ".join(plan.description) for plan in result.plans])

@@ -219,6 +219,7 @@ class OneNumber:
         )
         self.assert_printed(tension, self.report, before="Highest chordal tension")
         self.assert_printed(tension, self.closed_words, before="highest tension")
+        self.assertIn(f"highest chordal tension: {python.estimates['tension_max_n'].words('N')}", self.words)
         finding = next(gate["finding"] for gate in plan["gates"] if gate["rule"] == "chordal_tension")
         self.assert_printed(tension, finding, before=f"highest chordal tension changes from {NUMBER} to")
 
@@ -241,7 +242,8 @@ class OneNumber:
 
     def test_every_figure_of_a_rule_has_an_interval(self):
         for estimates in (self.ranked()["estimates"], self.scored["before"]["estimates"]):
-            for name in ("coaptation_a2_p2_mm", "tension_max_n", "opening_area_mm2", "gradient_mmhg"):
+            measured = ("strain_circumferential_max", "strain_radial_max")
+            for name in ("coaptation_a2_p2_mm", "tension_max_n", "opening_area_mm2", "gradient_mmhg", *measured):
                 low, high = estimates[name]["numerical"]
                 self.assertLessEqual(0, low)
                 self.assertLess(low, high)
@@ -249,6 +251,8 @@ class OneNumber:
             for part in ("tissue", "execution"):
                 low, high = self.ranked()["estimates"][name][part]
                 self.assertLessEqual(low, high)
+        ratio = self.ranked()["estimates"]["leaflet_ratio"]
+        self.assertEqual(ratio["value"] is None, ratio["numerical"] is None)
         # Without evidence only that of a plan that leaks is known.
         leaks = self.ranked()["leak_mm2"]["nominal"] > 5
         self.assertEqual(self.ranked()["estimates"]["durability_mm"]["value"], 0 if leaks else None)

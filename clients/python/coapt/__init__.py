@@ -43,6 +43,7 @@ from .errors import (
     ServiceFailed,
     Unreachable,
 )
+from .estimates import Estimate
 from .events import Event, LeadingPlan, Progress
 from .evidence import Coaptation, LeakMap, LeakMaps, Remodelling, Section, Table, Tolerance
 from .fits import Fit, FitResult, FittedParameter, ImportResult
@@ -97,6 +98,7 @@ __all__ = [
     "Comparison",
     "Conflict",
     "Engine",
+    "Estimate",
     "Evaluations",
     "Event",
     "Finding",

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from . import tables
+from .estimates import interval
 
 Vector: TypeAlias = tuple[float, float, float]
 
@@ -15,10 +16,6 @@ Vector: TypeAlias = tuple[float, float, float]
 def _vector(json: Sequence[float]) -> Vector:
     x, y, z = json
     return x, y, z
-
-
-def _interval(json: Sequence[float] | None) -> tuple[float, float] | None:
-    return None if json is None else (json[0], json[1])
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,8 +77,8 @@ class Leak(tables.Short):
         return cls(
             json["area_mm2"],
             json["error_mm2"],
-            _interval(json["between_mm2"]),
+            interval(json["between_mm2"]),
             tuple(map(LeakOpening.from_json, json["openings"])),
-            _interval(json.get("numerical")),
-            _interval(json.get("tissue")),
+            interval(json.get("numerical")),
+            interval(json.get("tissue")),
         )

@@ -182,23 +182,25 @@ def plans(
     *,
     ax: Axes | None = None,
 ) -> Axes:
-    """Trade-offs of ranked plans: tension, opening or reserve versus the mean leak, with the sd of the leak. Numbers are ranks, filled
-    points Pareto-optimal plans. Plans with unknown values are omitted.
+    """Trade-offs of ranked plans: tension, opening or reserve versus the leak as planned, with its widest interval from 5 to 95 % (errors of
+    execution, tissue or the computation). Numbers are ranks, filled points Pareto-optimal plans. Plans with unknown values are omitted.
 
     >>> plots.plans(result, "opening_area_mm2").get_ylabel()
     'opening in diastole, mm²'
     """
     axes = _axes(ax)
     for plan in result.plans:
-        mean, sd = plan.leak_mm2.mean, plan.leak_mm2.sd or 0.0
+        leak = plan.leak
         value = plan.measure.tension_max_n if against == "tension_max_n" else getattr(plan, against)
-        if mean is not None and value is not None:
+        if leak.value is not None and value is not None:
             inside = _BLUE if plan.pareto else "white"
-            axes.errorbar([mean], [value], xerr=[sd], fmt="o", color=_BLUE, ecolor=_GREY, markerfacecolor=inside)
-            axes.annotate(str(plan.rank), (mean, value), xytext=(5, 5), textcoords="offset points")
+            if leak.widest is not None:
+                axes.plot(leak.widest, [value, value], color=_GREY)
+            axes.plot([leak.value], [value], "o", color=_BLUE, markerfacecolor=inside)
+            axes.annotate(str(plan.rank), (leak.value, value), xytext=(5, 5), textcoords="offset points")
     axes.margins(y=0.15)  # a rank stands above its point
     axes.set_xlim(left=-0.03 * max(1.0, axes.get_xlim()[1]))
-    axes.set_xlabel("leak with errors of execution, mean ± sd, mm²")
+    axes.set_xlabel("leak as planned, mm², and its widest error, 5 to 95 %")
     axes.set_ylabel(_AGAINST[against])
     return axes
 

@@ -10,6 +10,7 @@ from typing import Literal
 from . import frames, tables
 from .closures import Document, Measure, Status, known_fields
 from .errors import CoaptError
+from .estimates import Estimate, interval_words
 from .evidence import LeakMap, LeakMaps, Remodelling, Tolerance
 from .meshes import Mesh, Picture
 from .repair import Plan
@@ -20,6 +21,7 @@ MeshFormat = Literal["ply", "obj", "stl", "vtk"]
 COLUMNS = {
     "rank": "rank",
     "description": "description",
+    "ranked_cost_mm2": "ranked_cost",
     "cost_mm2": "cost",
     "nodes": "region_closures",
     "failed_nodes": "region_failures",
@@ -95,7 +97,7 @@ class RankedPlan(tables.Short):
     leak_mm2: Statistics
     """Over the region of interest."""
     cost: float | None
-    """In mm2, lower is better: what plans are ranked by."""
+    """In mm2, lower is better: what a search minimises, on the valve's own mesh and without durability. Plans are ranked by ranked_cost."""
     status: Status
     """Status of the planned closure."""
     crossing: bool
@@ -152,6 +154,45 @@ class RankedPlan(tables.Short):
             json,
             place,
         )
+
+    @property
+    def why_margin_unknown(self) -> str | None:
+        """Why margin_mm or margin_deg is None, in words; None: both are known, or of files of release 0.2.
+
+        >>> (best.why_margin_unknown is None) == (None not in (best.margin_mm, best.margin_deg))
+        True
+        """
+        why: str | None = self.json["margin_to_leak"].get("why_unknown")
+        return why
+
+    @property
+    def ranked_cost(self) -> float | None:
+        """In mm2, lower is better: what plans of a class are ranked by. None of files of release 0.2.
+
+        >>> best.ranked_cost >= 0
+        True
+        """
+        cost: float | None = self.json.get("ranked_cost")
+        return cost
+
+    @property
+    def leak(self) -> Estimate:
+        """As planned, mm2, with its errors by cause.
+
+        >>> best.leak.value == best.measure.leak_mm2
+        True
+        """
+        leak = self.json.get("leak")  # not of files of release 0.2
+        return Estimate(self.measure.leak_mm2) if leak is None else Estimate.from_json(leak, "area_mm2")
+
+    @property
+    def estimates(self) -> dict[str, Estimate]:
+        """Other figures that rules of practice use, and strains, as planned, with their errors by cause; empty of files of release 0.2.
+
+        >>> best.estimates["tension_max_n"].value == best.measure.tension_max_n
+        True
+        """
+        return {name: Estimate.from_json(one) for name, one in self.json.get("estimates", {}).items()}
 
     @property
     def closes_robustly(self) -> bool:
@@ -247,12 +288,12 @@ class RankedPlan(tables.Short):
 
 def plans_table(plans: Iterable[RankedPlan]) -> str:
     """A row each, as HTML."""
-    head = ("", "plan", "leak as planned, mm²", "mean ± sd with errors of execution", "worst", "margin", "tension, N")
+    head = ("", "plan", "leak as planned, mm²", "with errors of execution, 5 to 95 %", "worst", "margin", "tension, N")
     return tables.table(head, map(_row, plans))
 
 
 def _row(plan: RankedPlan) -> tuple[str, ...]:
-    leak, number = plan.leak_mm2, tables.number
+    leak, tension = plan.leak, plan.estimates.get("tension_max_n")
     margins = _margin(plan.margin_mm, _FARTHEST_MM, 2, " mm") + _margin(plan.margin_deg, _FARTHEST_DEG, 1, "°")
     what = tables.listed(plan.description) or "no repair"
     settled = plan.status == "converged" and not plan.crossing
@@ -262,11 +303,11 @@ def _row(plan: RankedPlan) -> tuple[str, ...]:
     return (
         str(plan.rank),
         what + warned + tie,
-        number(leak.nominal),
-        f"{number(leak.mean)} ± {number(leak.sd)}",
-        number(leak.worst),
-        ", ".join(margins) or "-",
-        number(plan.measure.tension_max_n, 2),
+        leak.words(),
+        interval_words(leak.execution),
+        tables.number(plan.leak_mm2.worst),
+        ", ".join(margins) or tables.escaped(plan.why_margin_unknown or "-"),
+        tension.words() if tension else tables.number(plan.measure.tension_max_n, 2),
     )
 
 
