@@ -77,7 +77,10 @@ export function select(
 export function filePicker(
   label: string,
   words: string,
-  { use, ...attributes }: { accept: string; multiple?: boolean; use: (files: File[]) => void },
+  {
+    use,
+    ...attributes
+  }: { accept?: string; multiple?: boolean; webkitdirectory?: boolean; use: (files: File[]) => void },
 ): HTMLElement {
   const choose = (): void => {
     const chosen = [...(input.files ?? [])]

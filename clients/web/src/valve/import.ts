@@ -9,15 +9,22 @@ import { progressPanel } from '../jobs/progress_panel'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
 import { JobFailed, problemsOf } from '../workspace'
-import { type Corrections, decisionControls, labelChoice, UNITS } from './corrections'
+import { type Corrections, decisionControls, labelChoice } from './corrections'
+import { holds, leftOut, unreadable } from './file_words'
+import { ACCEPTED, isImportable, MOST_FILES } from './formats'
+import { importForm } from './import_form'
 import { importResult, type ImportStage } from './import_stage'
 import { landmarkList } from './landmark_list'
-import { ROLES, type ImportSettings, type Role, type Unit, filesToImport, guessedRoles, packed, placed } from './parts'
+import { filesToImport, firstRoles, guessedRoles, packed, placed, type Role, ROLES, statedRoles } from './parts'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
-import { counted } from '../format'
 
-const USUAL_TRIANGLES = 720
+interface Shown {
+  job: Job
+  made: ImportResult
+  fitted: boolean
+  element: HTMLElement
+}
 
 export interface ImportPanel {
   element: HTMLElement
@@ -28,39 +35,17 @@ export interface ImportPanel {
 /// `open` is called with the valve that came of the files; `stage` shows them, and what was decided.
 export function importPanel(open: (id: string, name: string) => Promise<void>, stage: ImportStage): ImportPanel {
   let files: File[] = []
-  let roles: Role[] = []
+  let roles: Role[] = [] // as asked for
+  let guesses: Role[] = [] // what they look like
   let looked: (FileLookedAt | null)[] = []
   let looking = new AbortController()
-  let drawsByHand: boolean | null = null // whether chordae are drawn, if a person said so
   const rows = h('ul', { class: valveStyle.files })
   const said = h('p', { class: parts.hint, 'aria-live': 'polite' })
   const rest = h('div', {}) // problems of no file
-  const name = h('input', { type: 'text', maxlength: 200, value: 'imported' })
-  const triangles = h('input', { type: 'number', min: 100, max: 100000, value: USUAL_TRIANGLES })
   let labels: LabelTaken[] = [] // what a person said of them
-  let result: HTMLElement | null = null // that is shown
-  const unit = select([['', 'by the annulus'], ...UNITS], '', () => {})
-  const state = select(
-    [
-      ['', 'detect from the shape'],
-      ['open', 'open'],
-      ['closed', 'closed'],
-    ],
-    '',
-    () => settle(),
-  )
-  const trusts = h('input', { type: 'checkbox' })
-  const flips = h('input', { type: 'checkbox' })
-  const mirrored = h('input', { type: 'checkbox' })
-  const draws = h('input', {
-    type: 'checkbox',
-    onchange: () => {
-      drawsByHand = draws.checked
-      settle()
-    },
-  })
-  const seed = h('input', { type: 'number', min: 0, max: 2147483647, value: 1 })
+  let shown: Shown | null = null // the last result
   const landmarks = landmarkList(() => stage.files())
+  const form = importForm(() => settle(), landmarks.element)
   const leak = h('input', { type: 'number', min: 0, max: 2000, step: 'any', placeholder: 'unknown' })
   let side: 'atrial' | 'middle' = 'atrial'
   const sides = select(
@@ -86,27 +71,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     field('Imaged leak', leak, 'mm²'),
     fit,
   )
-  const options = h(
-    'div',
-    { hidden: true },
-    field('Name', name),
-    field('Units', unit),
-    field('Leaflets were imaged', state),
-    field('Synthesise chordae', draws),
-    field('Seed of synthesised chordae', seed),
-    field('Triangles (approximate)', triangles),
-    landmarks.element,
-    h(
-      'details',
-      { class: parts.more, 'data-part': 'corrections' },
-      h('summary', {}, 'Correct detected properties'),
-      field('Labels and order are correct', trusts),
-      field('Atrium on the other side', flips),
-      field('Mirror image', mirrored),
-    ),
-    h('p', {}, go),
-    fitting,
-  )
+  const options = h('div', { hidden: true }, form.element, h('p', {}, go), fitting)
   const element = h(
     'details',
     { class: parts.more, 'data-part': 'import' },
@@ -114,15 +79,17 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     h(
       'p',
       { class: parts.hint },
-      'A label map (NRRD, NIfTI or MetaImage), or leaflets (OBJ, PLY, STL, glTF, VTK, VTP or VTU) and annulus (CSV, or a curve of Slicer), in one coordinate ' +
-        'system; chordae and papillary tips if imaged; or all files of a SlicerHeart folder. Remove patient identifiers ' +
-        'first.',
+      'A label map (NRRD, NIfTI or MetaImage), or leaflets (OBJ, PLY, STL, glTF, VTK, VTP or VTU) and annulus (a table or ' +
+        'a curve from Slicer), in one coordinate system; chordae, papillary tips and landmarks if imaged; or a ' +
+        'SlicerHeart folder. Compressed label maps (.gz, .bz2) are read as they are. Remove patient identifiers first.',
     ),
-    filePicker('Files', 'Choose files', {
-      multiple: true,
-      accept: '.obj,.ply,.stl,.glb,.gltf,.vtk,.vtp,.vtu,.nrrd,.nhdr,.nii,.gz,.bz2,.mha,.mhd,.raw,.zraw,.csv,.json',
-      use: take,
-    }),
+    h(
+      'div',
+      { class: parts.row },
+      filePicker('Files', 'Choose files', { multiple: true, accept: ACCEPTED, use: take }),
+      filePicker('Folder', 'Choose a folder', { webkitdirectory: true, use: take }),
+      filePicker('Others to add', 'Add files', { multiple: true, accept: ACCEPTED, use: addMore }),
+    ),
     rows,
     options,
     said,
@@ -130,21 +97,47 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   )
 
   function take(given: File[]): void {
-    files = given
-    looked = given.map(() => null)
-    roles = guessedRoles(files.map((file) => file.name))
-    drawsByHand = null
     labels = []
-    result = null
-    for (const input of [trusts, flips, mirrored]) input.checked = false
-    for (const choice of [unit, state]) choice.value = ''
+    shown = null
+    form.reset()
+    landmarks.clear()
+    files = []
+    roles = []
+    looked = []
+    add(given)
+  }
+
+  function addMore(more: File[]): void {
+    shown = null
+    add(more)
+  }
+
+  /// To those that there are; `role`: of them all.
+  function add(given: File[], role: Role | null = null): void {
+    const usable = given.filter(({ name }) => isImportable(name))
+    const left = given.length - usable.length
+    const before = [...roles]
+    files = [...files, ...usable]
+    looked = files.map((_, i) => looked[i] ?? null)
+    guesses = guessedRoles(
+      files.map(({ name }) => name),
+      looked.map((file) => file?.content ?? null),
+    )
+    roles = [
+      ...before,
+      ...firstRoles(guesses)
+        .slice(before.length)
+        .map((first) => role ?? first),
+    ]
     element.open = true
     options.hidden = files.length === 0
+    rest.replaceChildren()
     said.textContent = ''
-    landmarks.clear()
     settle()
     show([])
-    void look()
+    void look().then(() => {
+      if (left > 0) said.textContent = leftOut(left)
+    })
   }
 
   /// What the files hold, beside them and on the stage.
@@ -153,14 +146,22 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     looking = new AbortController()
     const { signal } = looking
     if (files.length === 0) return stage.hide()
-    said.textContent = 'reading the files ...'
+    if (files.length > MOST_FILES) {
+      said.textContent = `There are ${files.length} files; at most ${MOST_FILES} can be imported at once.`
+      go.disabled = fit.disabled = true
+      return
+    }
+    said.textContent = 'Reading the files ...'
     try {
       const found = await lookAtFiles(await Promise.all(files.map(packed)), signal)
       looked = found
-      roles = guessedRoles(
+      const first = firstRoles(guesses)
+      guesses = guessedRoles(
         files.map((file) => file.name),
         found.map(({ content }) => content),
       )
+      const now = firstRoles(guesses)
+      roles = roles.map((role, i) => (role === first[i] ? (now[i] as Role) : role)) // but for those that a person chose
       said.textContent = ''
       settle()
       show([])
@@ -171,85 +172,126 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     }
   }
 
+  /// What each is taken for.
+  function shownRoles(): Role[] {
+    return roles.map((role, i) => (role === 'detected' ? (guesses[i] as Role) : role))
+  }
+
   /// What follows from the roles.
   function settle(): void {
-    const isFolder = roles.includes('folder')
-    draws.checked = drawsByHand ?? (!isFolder && !roles.includes('chordae'))
-    seed.disabled = !draws.checked
-    go.disabled = fit.disabled = files.length === 0
-    fitting.hidden = state.value !== 'closed' && !roles.includes('surface')
+    const are = new Set(shownRoles())
+    form.settle({ labelMap: are.has('labels'), chordae: are.has('chordae'), folder: are.has('folder') })
+    go.disabled = fit.disabled = files.length === 0 || files.length > MOST_FILES
+    fitting.hidden = form.values().closed !== 'closed' && !are.has('surface')
   }
 
   function draw(): void {
-    stage
-      .files()
-      .set(looked.flatMap((file, i) => (file && roles[i] !== 'none' ? [{ file, role: roles[i] as Role }] : [])))
+    const are = shownRoles()
+    stage.files().set(looked.flatMap((file, i) => (file && are[i] !== 'none' ? [{ file, role: are[i] as Role }] : [])))
   }
 
-  function settings(fits: boolean): ImportSettings {
-    const known = leak.value.trim() === '' ? null : Number(leak.value)
-    return {
-      name: name.value,
-      triangles: Number(triangles.value),
-      labels,
-      units: unit.value === '' ? null : (unit.value as Unit),
-      closed: state.value === '' ? null : state.value === 'closed',
-      trusts: trusts.checked,
-      flips: flips.checked,
-      mirrored: mirrored.checked,
-      seed: draws.checked ? Number(seed.value) : null,
-      places: landmarks.places(),
-      fit: fits ? { leak_mm2: known, side } : null,
-    }
-  }
-
-  async function run(fits: boolean): Promise<void> {
+  /// Whether a valve was made.
+  async function run(fits: boolean): Promise<boolean> {
     landmarks.stop()
     go.disabled = fit.disabled = true
-    said.textContent = 'making a valve ...'
+    said.textContent = 'Making a valve ...'
+    const known = leak.value.trim() === '' ? null : Number(leak.value)
     try {
-      const job = await startImport(await filesToImport(files, roles, settings(fits)))
+      const fitted = fits ? { leak_mm2: known, side } : null
+      const settings = { ...form.settings(), labels, places: landmarks.places(), fit: fitted }
+      const job = await startImport(await filesToImport(files, roles, settings, guesses))
       show([])
       await follow(job, fits)
       said.textContent = ''
+      settle()
+      return true
     } catch (error) {
       const problems = problemsOf(error)
-      said.textContent = `No valve can be made from these files: ${problems.length === 1 ? 'one problem.' : `${problems.length} problems.`}`
+      said.textContent =
+        problems.length === 1
+          ? 'No valve can be made from these files: one problem.'
+          : `No valve can be made from these files: ${problems.length} problems.`
       show(problems)
-      if (result?.isConnected) {
-        result.querySelector('[data-part=problems]')?.remove()
-        result.prepend(problemList(problems)) // beside the control that asked for it
-        result.scrollIntoView({ block: 'start' })
-      }
+      if (shown?.element.isConnected) tell(problems)
+      settle()
+      return false
     }
-    settle()
+  }
+
+  /// Beside the controls that asked for it.
+  function tell(problems: Problem[], words = ''): void {
+    if (!shown) return
+    shown.element.querySelector('[data-part=told]')?.remove()
+    shown.element.prepend(
+      h('div', { 'data-part': 'told' }, words && h('p', { role: 'status' }, words), problemList(problems)),
+    )
+    shown.element.scrollIntoView({ block: 'start' })
+  }
+
+  /// Of the last result: set, then the valve is made again; if none can be made, all is as it was.
+  async function change(subject: string, set: () => void): Promise<void> {
+    const before = { files, roles, guesses, looked, labels, values: form.values() }
+    roles = [...roles]
+    set()
+    if (shown) {
+      const { element } = shown
+      element.inert = true
+      element.setAttribute('aria-busy', 'true')
+      tell([], 'Importing again with this change ...')
+    }
+    const isMade = await run(false)
+    if (!isMade && shown) {
+      looking.abort() // at files that are taken back
+      const problems = shown.element.querySelector('[data-part=told] [role=alert]')
+      ;({ files, roles, guesses, looked, labels } = before)
+      form.set(before.values)
+      settle()
+      present()
+      show([])
+      said.textContent = ''
+      tell([], 'This change cannot be made; the valve is as it was before.')
+      if (problems) shown.element.querySelector('[data-part=told]')?.append(problems)
+    }
+    shown?.element.querySelector<HTMLElement>(`[data-subject="${subject}"] :is(select, button, input)`)?.focus()
   }
 
   /// What the controls beside decisions do: they set those of the form, then the valve is made again.
   function corrections(): Corrections {
-    const change = (set: () => void): void => {
-      set()
-      void run(false)
-    }
+    const stated = statedRoles(roles, guesses)
     const one = (role: Role): number =>
-      roles.filter((other) => other === role).length === 1 ? roles.indexOf(role) : -1
+      stated.filter((other) => other === role).length === 1 ? stated.indexOf(role) : -1
     const [anterior, posterior] = [one('anterior'), one('posterior')]
+    const sorted = files.flatMap(({ name }, i) =>
+      stated[i] === 'detected' ? [{ name, role: 'detected' as Role, i }] : [],
+    )
+    const state = (i: number, role: Role): void => {
+      roles[i] = role
+      if (role === 'anterior' || role === 'posterior') form.set({ trusts: true })
+    }
     return {
-      take: (taken) => change(() => (labels = taken)),
+      values: form.values(),
+      files: sorted,
+      set: (subject, values) => void change(subject, () => form.set(values)),
+      take: (taken) => void change('leaflets', () => (labels = taken)),
+      role: (at, role) => void change('leaflets', () => state(sorted[at]?.i ?? -1, role)),
       exchange:
         anterior < 0 || posterior < 0
           ? null
           : () =>
-              change(() => {
-                roles[anterior] = 'posterior'
-                roles[posterior] = 'anterior'
+              void change('leaflets', () => {
+                state(anterior, 'posterior')
+                state(posterior, 'anterior')
               }),
-      units: (of) => change(() => (unit.value = of)),
-      closed: (is) => change(() => (state.value = is ? 'closed' : 'open')),
-      flip: () => change(() => (flips.checked = !flips.checked)),
-      mirror: () => change(() => (mirrored.checked = !mirrored.checked)),
-      flipped: flips.checked,
-      mirrored: mirrored.checked,
+      contour: (file) =>
+        void change('annulus', () => {
+          const are = shownRoles()
+          roles = roles.map((role, i) => (are[i] === 'annulus' ? 'none' : role))
+          add([file], 'annulus')
+        }),
+      pick() {
+        draw()
+        landmarks.open()
+      },
     }
   }
 
@@ -267,15 +309,23 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
     }
     await followJob(first.id, watcher, new AbortController().signal)
     if (last.state === 'FAILED' || !last.links.result) {
-      stage.hide()
+      if (!shown) stage.hide()
       const problems: Problem[] = last.problems
       throw problems.length > 0 ? new JobFailed(problems) : new Error('The import was cancelled.')
     }
     const made = await getJson<ImportResult>(last.links.result)
     nameValve(made.valve, made.name)
     await open(made.valve, made.name)
-    result = importResult(last, made, actions(made, fits), decisionControls(made, corrections()))
-    stage.show(result)
+    shown = { job: last, made, fitted: fits, element }
+    present()
+  }
+
+  /// The last result.
+  function present(): void {
+    if (!shown) return
+    const { job, made, fitted } = shown
+    shown.element = importResult(job, made, actions(made, fitted), decisionControls(made, corrections()))
+    stage.show(shown.element)
   }
 
   function actions(made: ImportResult, wasFitted: boolean): HTMLElement {
@@ -291,7 +341,7 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
 
   /// Each problem beside its file.
   function show(problems: Problem[]): void {
-    const places = placed(files, roles)
+    const places = placed(files, statedRoles(roles, guesses))
     const others = new Set(problems)
     rows.replaceChildren(
       ...files.map((file, i) => {
@@ -308,15 +358,15 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
         return h(
           'li',
           {},
-          h('span', {}, file.name, ' ', h('small', { class: parts.hint }, holds(looked[i] ?? null))),
+          h('span', {}, file.name, ' ', h('small', { class: parts.hint }, holds(file.name, looked[i] ?? null))),
           role,
-          roles[i] === 'labels' && labelsOf(looked[i] ?? null),
-          problemList(own),
+          shownRoles()[i] === 'labels' && labelsOf(looked[i] ?? null),
+          problemList(own.length > 0 || shownRoles()[i] === 'none' ? own : unreadable(file.name, looked[i] ?? null)),
         )
       }),
     )
     rest.replaceChildren(problemList([...others]))
-    if (problems.length === 0 && looked.some((file) => file !== null)) draw()
+    if (problems.length === 0 && looked.some((file) => file !== null) && !shown?.element.isConnected) draw()
   }
 
   /// The labels of a map, of which a person may say what they are before it is imported.
@@ -332,28 +382,6 @@ export function importPanel(open: (id: string, name: string) => Promise<void>, s
   }
 
   return { element, take }
-}
-
-/// What is in a file, in a few words.
-function holds(file: FileLookedAt | null): string {
-  if (!file) return ''
-  if (file.problems.length > 0) return 'cannot be shown'
-  const points = file.points.length / 3
-  switch (file.content) {
-    case 'surface':
-    case 'labels':
-      return file.faces.length === 0 ? 'label map' : counted(file.faces.length / 3, 'triangle')
-    case 'curve':
-      return `line of ${counted(points, 'point')}`
-    case 'chordae':
-      return counted(points / 2, 'chorda', 'chordae')
-    case 'tips':
-      return counted(points, 'papillary tip')
-    case 'points':
-      return counted(points, 'point')
-    case 'unknown':
-      return 'cannot be shown'
-  }
 }
 
 function isBelow(path: string, place: string): boolean {

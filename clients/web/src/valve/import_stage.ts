@@ -8,6 +8,7 @@ import { filesOf } from '../jobs/calls'
 import { InputViewer } from '../viewer/input_viewer'
 import type { ViewName } from '../viewer/stage'
 import type { Workspace } from '../workspace'
+import { type DecisionControl, takeControl } from './corrections'
 import parts from '../style/parts.module.css'
 import valveStyle from './valve.module.css'
 
@@ -81,14 +82,14 @@ export function importResult(
   job: Job,
   result: ImportResult,
   actions: HTMLElement,
-  controls: Map<string, HTMLElement>,
+  controls: DecisionControl[],
 ): HTMLElement {
   const picture = h('img', {
     class: valveStyle.importPicture,
     alt: `${result.name}: the input and the resulting valve, seen from the atrium and from posterior, and a section`,
   })
   const doubts = result.decisions.filter(({ look }) => look)
-  const left = new Map(controls)
+  const left = [...controls]
   const residual = h('img', { class: valveStyle.importPicture, alt: 'Remaining distances after the fit', hidden: true })
   void fill(picture, job.links.picture ?? '')
   if (result.fit)
@@ -147,27 +148,21 @@ function fitted(fit: FitResult): HTMLElement {
   )
 }
 
-/// A control stands at the first decision about its subject, and is taken out of those that are left.
-function decisionList(decisions: ImportDecision[], left: Map<string, HTMLElement>): HTMLElement {
+/// A control stands at the first decision that it can change, and is taken out of those that are left.
+function decisionList(decisions: ImportDecision[], left: DecisionControl[]): HTMLElement {
   const list = h('dl', { class: valveStyle.decisions, 'data-part': 'decisions' })
-  for (const decision of decisions) {
+  for (const { subject, value, reason, look } of decisions) {
+    const control = takeControl({ subject, value }, left)
     list.append(
-      h(
-        'dt',
-        {},
-        decision.subject,
-        ' ',
-        decision.look && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check'),
-      ),
+      h('dt', {}, subject, ' ', look && h('span', { class: `${parts.badge} ${parts.warn}` }, 'check')),
       h(
         'dd',
-        { 'data-subject': decision.subject },
-        decision.value,
-        decision.reason && h('span', { class: parts.hint }, ` ${decision.reason}`),
-        left.get(decision.subject),
+        { 'data-subject': subject },
+        value,
+        reason && h('span', { class: parts.hint }, ` ${reason}`),
+        control?.element,
       ),
     )
-    left.delete(decision.subject)
   }
   return list
 }

@@ -11,6 +11,7 @@ const ON_ANNULUS = new Set<PlaceKey>(LANDMARKS.map(([key]) => key))
 export interface LandmarkList {
   element: HTMLElement
   places(): Places
+  open(): void // in front of whoever is to pick
   clear(): void
   stop(): void // of picking
 }
@@ -83,19 +84,25 @@ export function landmarkList(viewer: () => InputViewer): LandmarkList {
     said.textContent = ''
   }
 
-  return {
-    element: h(
-      'details',
-      { class: parts.more, 'data-part': 'landmarks' },
-      h('summary', {}, 'Pick landmarks'),
-      h(
-        'p',
-        { class: parts.hint },
-        'Empty fields are detected. Commissures are used if both are given, tips if chordae are synthesised.',
-      ),
-      h('ul', { class: valveStyle.landmarks }, ...[...rows.values()].map(({ element }) => element)),
-      said,
+  const element = h(
+    'details',
+    { class: parts.more, 'data-part': 'landmarks' },
+    h('summary', {}, 'Pick landmarks'),
+    h(
+      'p',
+      { class: parts.hint },
+      'Empty fields are detected. Commissures are used if both are given, tips if chordae are synthesised.',
     ),
+    h('ul', { class: valveStyle.landmarks }, ...[...rows.values()].map(({ element }) => element)),
+    said,
+  )
+  return {
+    element,
+    open() {
+      element.open = true
+      element.scrollIntoView({ block: 'nearest' })
+      rows.get(PLACES[0]?.[0] as PlaceKey)?.pick.focus()
+    },
     places: () => Object.fromEntries(chosen),
     clear() {
       stop()

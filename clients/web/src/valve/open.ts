@@ -2,10 +2,12 @@
 import { presets, problemsOfValve, storeValve } from '../api/calls'
 import type { Problem } from '../api/types'
 import { field, filePicker, h } from '../dom'
+import { droppedFiles } from '../dropped'
 import { HAS_SERVICE } from '../mode'
 import { problemList } from '../problems'
 import { nameValve } from '../state/valves'
 import { problemsOf, type ValveSource, type Workspace } from '../workspace'
+import { ACCEPTED } from './formats'
 import { importPanel } from './import'
 import type { ImportStage } from './import_stage'
 import { observedPanel } from './observed'
@@ -105,11 +107,17 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
     h(
       'div',
       { class: parts.row },
-      filePicker('Your file', 'Open a file', { accept: '.json,application/json', use: (files) => void take(files) }),
+      filePicker('Your file', 'Open a file', {
+        accept: HAS_SERVICE ? ACCEPTED : '.json,application/json',
+        multiple: HAS_SERVICE,
+        use: (files) => void take(files),
+      }),
       h(
         'span',
         { class: parts.hint },
-        `A coapt valve file (JSON). Drop files here${HAS_SERVICE ? ', including meshes' : ''}.`,
+        HAS_SERVICE
+          ? 'A coapt valve file (JSON), or files to import. You can also drop files or a folder here.'
+          : 'A coapt valve file (JSON). You can also drop it here.',
       ),
     ),
     !HAS_SERVICE && h('p', { class: parts.hint }, NO_IMPORT),
@@ -128,7 +136,7 @@ export function openPanel(workspace: Workspace, stage: ImportStage): OpenPanel {
       whole.addEventListener(name, (event) => {
         event.preventDefault()
         panel.toggleAttribute('data-over', over)
-        if (event.type === 'drop') void take([...(event.dataTransfer?.files ?? [])])
+        if (event.type === 'drop' && event.dataTransfer) void droppedFiles(event.dataTransfer).then(take)
       })
   }
   return { element: panel, dropOn }

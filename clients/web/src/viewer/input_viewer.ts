@@ -21,6 +21,7 @@ import { Stage, type ViewName } from './stage'
 import viewerStyle from './viewer.module.css'
 
 const COLOURS: Record<Role, string> = {
+  detected: '#c3c9d1',
   anterior: TINTS.anterior,
   posterior: TINTS.posterior,
   labels: TINTS.anterior,
@@ -29,6 +30,7 @@ const COLOURS: Record<Role, string> = {
   annulus: '#cdb7b0',
   chordae: '#cdb7b0',
   tips: '#cdb7b0',
+  landmarks: '#cdb7b0',
   folder: '#cdb7b0',
   none: '#c3c9d1',
 }

@@ -1,8 +1,10 @@
 // Files of a segmentation tool become a valve; what is wrong stands beside the file.
 import assert from 'node:assert/strict'
-import { mkdirSync, readFileSync } from 'node:fs'
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { test } from 'node:test'
+import { gunzipSync, gzipSync } from 'node:zlib'
 import { accessProblems, labelMap, ROOT, openBefore, page, service, settled } from './page.mjs'
 
 const CONTRACT = JSON.parse(readFileSync(join(ROOT, 'server/openapi.json')))
@@ -15,16 +17,16 @@ test('a damaged file is named, the others are not; the whole set becomes a valve
   await page.getByText('Import meshes').click()
   const panel = page.locator('[data-part=import]')
   const damaged = { ...annulus, text: annulus.text.replace(/\d+\.\d/, 'nowhere') }
-  await panel.getByLabel('Files').setInputFiles([...leaflets, damaged, chordae].map(fileOf))
-  assert.equal(await panel.getByLabel('What skirt.obj is').inputValue(), 'anterior')
-  assert.equal(await panel.getByLabel('What annulus.csv is').inputValue(), 'annulus')
+  await panel.getByLabel('Files', { exact: true }).setInputFiles([...leaflets, damaged, chordae].map(fileOf))
+  assert.equal(await panel.getByLabel('What skirt.obj is').inputValue(), 'detected')
+  assert.equal(await panel.getByLabel('What annulus.csv is').inputValue(), 'detected')
   await panel.getByRole('button', { name: 'Import', exact: true }).click()
   const rows = panel.locator('li', { has: page.locator('select') })
   await rows.filter({ hasText: 'annulus.csv' }).locator('[data-part=problems] li').waitFor()
   assert.equal(await rows.filter({ hasText: 'chordae.csv' }).locator('[data-part=problems] li').count(), 0)
-  assert.match(await panel.textContent(), /No valve can be made from these files: one problem\./)
+  await panel.getByText('No valve can be made from these files: one problem.').waitFor()
 
-  await panel.getByLabel('Files').setInputFiles([...leaflets, annulus, chordae].map(fileOf))
+  await panel.getByLabel('Files', { exact: true }).setInputFiles([...leaflets, annulus, chordae].map(fileOf))
   await panel.getByLabel('Name').fill('my first import')
   await panel.getByLabel('Triangles').fill('100')
   await panel.getByRole('button', { name: 'Import', exact: true }).click()
@@ -96,7 +98,7 @@ test('a valve is fitted to closed leaflets', async () => {
   await page.goto(`${service.url}/#/valve`)
   const panel = page.locator('[data-part=import]')
   await panel
-    .getByLabel('Files')
+    .getByLabel('Files', { exact: true })
     .setInputFiles([
       ...[...leaflets, annulus, chordae].map(fileOf),
       { name: 'closed.stl', mimeType: 'model/stl', buffer: closed },
@@ -132,7 +134,7 @@ test('a label map dropped on the page becomes a valve, and that a search', async
   const panel = page.locator('[data-part=import]')
   await panel.getByText('triangles', { exact: false }).first().waitFor()
   await page.locator('[data-part=input-viewer] canvas').waitFor()
-  assert.equal(await panel.getByLabel('What map.nrrd is').inputValue(), 'labels')
+  assert.equal(await panel.getByLabel('What map.nrrd is').inputValue(), 'detected')
   assert.ok(await panel.getByLabel('Synthesise chordae').isChecked())
   await panel.getByLabel('Name').fill('from a label map')
   await panel.getByRole('button', { name: 'Import', exact: true }).click()
@@ -172,7 +174,7 @@ test('labels with the names of each other are refused, then trusted, then mended
   await page.goto(`${service.url}/#/valve`)
   const panel = page.locator('[data-part=import]')
   const names = ['Posterior leaflet', 'Anterior leaflet']
-  await panel.getByLabel('Files').setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labelMap(names) })
+  await panel.getByLabel('Files', { exact: true }).setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labelMap(names) })
   await panel.getByLabel('What label 1 is').waitFor()
   await panel.getByLabel('Name').fill('named the other way round')
   await panel.getByRole('button', { name: 'Import', exact: true }).click()
@@ -205,4 +207,123 @@ test('labels with the names of each other are refused, then trusted, then mended
   await atrium.filter({ hasText: 'opposite to the side suggested by the shape, as given' }).waitFor()
   await result.getByRole('button', { name: 'Back to the detected side' }).click()
   await result.getByRole('button', { name: 'The atrium is on the other side' }).waitFor()
+})
+
+const SOURCE = join(ROOT, 'examples/valves/source/bodyparts3d')
+const meshOf = (side, name) => ({
+  ...{ name, mimeType: 'text/plain' },
+  buffer: readFileSync(join(SOURCE, `${side}_leaflet_sheet.obj`)),
+})
+const ring = () => ({
+  ...{ name: 'ring.csv', mimeType: 'text/csv' },
+  buffer: readFileSync(join(SOURCE, 'annulus_centerline.csv')),
+})
+
+/// Of an import that has ended; `triangles` few, so that it is soon.
+async function imported(panel, name) {
+  await panel.getByLabel('Name').fill(name)
+  await panel.getByLabel('Triangles').fill('200')
+  await panel.getByRole('button', { name: 'Import', exact: true }).click()
+  const result = page.locator('[data-part=import-result]')
+  await result.locator('strong', { hasText: name }).waitFor()
+  return result
+}
+
+test('the picker takes every format of the service', async () => {
+  await page.goto(`${service.url}/#/valve`)
+  for (const label of ['Your file', 'Files', 'Others to add']) {
+    const accepted = await page.getByLabel(label, { exact: true }).getAttribute('accept')
+    for (const format of ['.gz', '.bz2', '.fcsv', '.vtm', '.tsv', '.nhdr', '.glb'])
+      assert.ok(accepted.split(',').includes(format), `${label}: ${format}`)
+  }
+})
+
+test('a folder of bare files is sorted by the service, and its leaflets are exchanged and exchanged back', async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), 'coapt-folder-'))
+  t.after(() => rmSync(folder, { recursive: true })) // the browser reads it when files are asked for
+  for (const { name, buffer } of [meshOf('posterior', 'x.obj'), meshOf('anterior', 'y.obj'), ring()])
+    writeFileSync(join(folder, name), buffer)
+  writeFileSync(join(folder, 'LICENSE.txt'), 'free')
+  writeFileSync(join(folder, 'photo.png'), 'no picture')
+  await page.goto(`${service.url}/#/valve`)
+  const panel = page.locator('[data-part=import]')
+  await panel.getByLabel('Folder').setInputFiles(folder)
+  await panel.getByText('2 files are left out', { exact: false }).waitFor()
+  assert.equal(await panel.getByLabel('What x.obj is').inputValue(), 'detected')
+  const result = await imported(panel, 'from a folder')
+  const leaflets = result.locator('dd[data-subject=leaflets]')
+  const which = /file (\d) is the anterior leaflet/.exec(await leaflets.textContent())
+  assert.ok(which, await leaflets.textContent())
+  assert.equal(await result.locator('dd[data-subject=files] select').count(), 3)
+  assert.deepEqual(await accessProblems(page), [])
+
+  await result.getByRole('button', { name: 'Exchange the leaflets' }).click()
+  await leaflets.filter({ hasText: 'contrary to their shape' }).waitFor()
+  await picture(result, 'files-exchanged')
+  await result.getByRole('button', { name: 'Exchange the leaflets' }).click()
+  await leaflets.filter({ hasNotText: 'contrary' }).waitFor()
+})
+
+test('axes, mirror image, tissue and thickness are changed beside their decisions', async () => {
+  await page.goto(`${service.url}/#/valve`)
+  const panel = page.locator('[data-part=import]')
+  await panel
+    .getByLabel('Files', { exact: true })
+    .setInputFiles([meshOf('anterior', 'anterior.obj'), meshOf('posterior', 'posterior.obj'), ring()])
+  await panel.getByText('triangles', { exact: false }).first().waitFor()
+  const result = await imported(panel, 'corrected')
+  const said = (subject) => result.locator(`dd[data-subject=${subject}]`)
+
+  await result.getByLabel('Axes').selectOption('RAS')
+  await said('axes').filter({ hasText: 'RAS, converted to LPS as given' }).first().waitFor()
+  await result.getByRole('button', { name: 'The files are a mirror image' }).click()
+  await said('frame').filter({ hasText: 'they are a mirror image, as given' }).waitFor()
+  await result.getByRole('button', { name: 'The files are not a mirror image' }).click()
+  await result.getByRole('button', { name: 'The files are a mirror image' }).waitFor()
+  await result.getByLabel('Leaflets in the files are').selectOption('in_vivo')
+  await said('state').filter({ hasText: 'unpressurised heart' }).waitFor()
+  await result.getByLabel('Seed').fill('4')
+  await result.getByLabel('Seed').press('Enter')
+  await said('chordae').filter({ hasText: 'seed 4' }).waitFor()
+  assert.equal(await panel.getByLabel('Seed of synthesised chordae').inputValue(), '4')
+
+  await result.getByLabel('Lengths are in').selectOption('m')
+  const told = result.locator('[data-part=told]')
+  await told.getByText('This change cannot be made; the valve is as it was before.').waitFor()
+  assert.ok((await told.locator('[data-part=problems] li').count()) > 0)
+  assert.equal(await result.getByLabel('Lengths are in').inputValue(), 'mm')
+  assert.deepEqual(await accessProblems(page), [])
+})
+
+/// The map at three times; nothing at the first.
+function labelMapInTime() {
+  const [head, ...data] = labelMap().toString('latin1').split('\n\n')
+  const voxels = gunzipSync(Buffer.from(data.join('\n\n'), 'latin1'))
+  const times = head
+    .replace('dimension: 3', 'dimension: 4')
+    .replace(/sizes: .*/, '$& 3')
+    .replace(/space directions: .*/, '$& none')
+    .replace('kinds: domain domain domain', 'kinds: domain domain domain time')
+  return Buffer.concat([
+    Buffer.from(`${times}\n\n`, 'latin1'),
+    gzipSync(Buffer.concat([Buffer.alloc(voxels.length), voxels, voxels])),
+  ])
+}
+
+test('another phase of a label map is taken beside the decision', async () => {
+  await page.goto(`${service.url}/#/valve`)
+  const panel = page.locator('[data-part=import]')
+  await panel
+    .getByLabel('Files', { exact: true })
+    .setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labelMapInTime() })
+  await panel.getByLabel('What label 1 is').waitFor()
+  const result = await imported(panel, 'at three times')
+  const labels = result.locator('dd[data-subject=labels]')
+  await labels.filter({ hasText: 'phase 2 of 3 is used' }).waitFor()
+  const phase = result.getByLabel('Phase')
+  assert.equal(await phase.inputValue(), '2')
+  await phase.fill('3')
+  await phase.press('Enter')
+  await labels.filter({ hasText: 'phase 3 of 3 is used as given' }).waitFor()
+  assert.deepEqual(await accessProblems(page), [])
 })

@@ -72,7 +72,7 @@ const FILES = ['anterior_leaflet_sheet.obj', 'posterior_leaflet_sheet.obj', 'ann
 async function chooseFiles(page) {
   await page.getByText('Import meshes').click()
   const panel = page.locator('[data-part=import]')
-  await panel.getByLabel('Files').setInputFiles(FILES.map((name) => join(SHEETS, name)))
+  await panel.getByLabel('Files', { exact: true }).setInputFiles(FILES.map((name) => join(SHEETS, name)))
   await panel.getByText('24 chordae').waitFor()
   await panel.getByLabel('Name').fill('BodyParts3D')
   return panel
@@ -95,7 +95,7 @@ async function importWrongLabels(page) {
   await page.getByText('Import meshes').click()
   const panel = page.locator('[data-part=import]')
   const labels = labelMap(['Posterior leaflet', 'Anterior leaflet'])
-  await panel.getByLabel('Files').setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labels })
+  await panel.getByLabel('Files', { exact: true }).setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labels })
   await panel.getByLabel('What label 1 is').waitFor()
   await panel.getByLabel('Name').fill('labels in the wrong order')
   await panel.getByText('Correct detected properties').click()

@@ -1,16 +1,38 @@
 import { expect, test } from 'vitest'
-import { filesToImport, guessedRoles, type ImportSettings, placed } from '../../src/valve/parts'
-import { given } from '../../src/valve/corrections'
+import { anteriorFile, type DecisionControl, given, takeControl } from '../../src/valve/corrections'
+import { ACCEPTED, COMPANIONS, isImportable, LABEL_MAPS, MESHES, TABLES } from '../../src/valve/formats'
+import { readGrid } from '../../src/valve/import_form'
+import {
+  filesToImport,
+  firstRoles,
+  guessedRoles,
+  type ImportSettings,
+  placed,
+  statedRoles,
+} from '../../src/valve/parts'
 import { readPlace, writePlace } from '../../src/valve/landmark_places'
 import { inputFrame, intoFile, intoView } from '../../src/viewer/input_frame'
 import type { FileLookedAt, Vector } from '../../src/api/types'
+import fileRoles from '../../../../io/exchange/file_roles.cpp?raw'
+import labelMaps from '../../../../io/image/label_map.cpp?raw'
+import tables from '../../../../io/mesh/csv_table.cpp?raw'
 
 const SETTINGS: ImportSettings = {
   name: 'mine',
+  provenance: [],
   triangles: 500,
   labels: [],
+  phase: null,
+  grid: null,
+  axes: null,
   units: null,
   closed: null,
+  hidden_mm: null,
+  inVivo: false,
+  thickness: null,
+  branches: null,
+  branch_at: null,
+  slack: null,
   trusts: false,
   flips: false,
   mirrored: false,
@@ -42,7 +64,7 @@ test('voxels go beside the header of a label map that they belong to', async () 
   expect(await filesToImport(files, ['labels', 'voxels'], SETTINGS)).toEqual({
     name: 'mine',
     triangles: 500,
-    labels: { name: 'map.mhd', base64: 'TkRpbXM=' },
+    labels: { name: 'map.mhd', text: 'NDims' },
     voxels: { name: 'map.raw', base64: 'AP8Q' },
   })
 })
@@ -61,7 +83,7 @@ test('the anterior leaflet is the first, whatever the order of the files', () =>
   ])
 })
 
-test('binary formats travel as base64, others as text', async () => {
+test('what is no text travels as base64', async () => {
   const files = [new File([new Uint8Array([0, 255, 16])], 'a.stl'), new File(['1,2,3'], 'annulus.csv')]
   expect(await filesToImport(files, ['anterior', 'annulus'], SETTINGS)).toEqual({
     name: 'mine',
@@ -69,6 +91,93 @@ test('binary formats travel as base64, others as text', async () => {
     leaflets: [{ name: 'a.stl', base64: 'AP8Q' }],
     annulus: { name: 'annulus.csv', text: '1,2,3' },
   })
+})
+
+test('the formats are those of the service', () => {
+  const quoted = (text: string | undefined): string[] =>
+    [...(text ?? '').matchAll(/"(\w+)"/g)].map(([, word]) => word ?? '')
+  const after = (text: string, start: string, end: string): string => text.split(start)[1]?.split(end)[0] ?? ''
+  expect(MESHES).toEqual(quoted(after(fileRoles, 'kMeshFormats =', ';')))
+  expect(COMPANIONS).toEqual(quoted(after(fileRoles, 'bool is_companion_format(', '}')))
+  expect(TABLES).toEqual(quoted(after(tables, 'kFormats =', ';')))
+  expect(LABEL_MAPS).toEqual(quoted(after(labelMaps, 'bool is_label_map_format(', '}')))
+  for (const name of ['map.nii.gz', 'A.VTP', 'ring.fcsv', 'all.vtm', 'x.mrk.json'])
+    expect(isImportable(name)).toBe(true)
+  for (const name of ['LICENSE.txt', '.hidden.csv', 'scan.dcm', 'heart.inp']) expect(isImportable(name)).toBe(false)
+  expect(ACCEPTED.split(',')).toContain('.bz2')
+})
+
+test('what is dropped is sorted by the service, but for folders, fits and what a person says', async () => {
+  const names = ['P1.stl', 'P2.stl', 'AML.stl', 'ring.csv', 'closed.stl', 'photo.png']
+  const guesses = guessedRoles(names, [null, null, null, 'curve', null, null])
+  expect(guesses).toEqual(['posterior', 'posterior', 'anterior', 'annulus', 'surface', 'none'])
+  const roles = firstRoles(guesses)
+  expect(roles).toEqual(['detected', 'detected', 'detected', 'detected', 'surface', 'none'])
+  const files = names.map((name) => new File([name], name))
+  const request = await filesToImport(files, roles, { ...SETTINGS, seed: 1 }, guesses)
+  expect(request.files?.map(({ name }) => name)).toEqual(['P1.stl', 'P2.stl', 'AML.stl', 'ring.csv'])
+  expect(request.leaflets).toBeUndefined()
+})
+
+test('with one leaflet stated the other one is stated, too', async () => {
+  const guesses = guessedRoles(['x.obj', 'y.obj', 'ring.csv'], ['surface', 'surface', 'curve'])
+  const roles = statedRoles(['detected', 'posterior', 'detected'], guesses)
+  expect(roles).toEqual(['anterior', 'posterior', 'detected'])
+  expect([...placed(['x', 'y', 'ring'], roles).keys()]).toEqual(['/files/0', '/leaflets/0', '/leaflets/1'])
+  expect(statedRoles(['labels', 'detected'], ['labels', 'voxels'])).toEqual(['labels', 'voxels'])
+})
+
+test('everything that a person may say goes along', async () => {
+  const said: ImportSettings = {
+    ...SETTINGS,
+    provenance: ['A phantom.'],
+    phase: 2,
+    grid: readGrid('{"size": [4, 4, 4], "to_lps_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}'),
+    axes: 'RAS',
+    hidden_mm: 2.5,
+    inVivo: true,
+    thickness: 'measured',
+    branches: 2,
+    branch_at: 0.5,
+    slack: 1.1,
+  }
+  expect(await filesToImport([], [], said)).toEqual({
+    ...{ name: 'mine', triangles: 500, provenance: ['A phantom.'], phase: 2, frame: 'RAS', hidden_mm: 2.5 },
+    ...{ reference: 'in_vivo', thickness_measured: true, branches: 2, branch_at: 0.5, slack: 1.1 },
+    grid: {
+      size: [4, 4, 4],
+      to_lps_mm: [
+        [1, 0, 0, 0],
+        [0, 1, 0, 0],
+        [0, 0, 1, 0],
+      ],
+    },
+  })
+  expect((await filesToImport([], [], { ...SETTINGS, thickness: 1.5 })).thickness_mm).toBe(1.5)
+  const points = await filesToImport([new File(['label,x,y,z'], 'seen.csv')], ['landmarks'], SETTINGS)
+  expect(points.landmarks).toEqual({ name: 'seen.csv', text: 'label,x,y,z' })
+  for (const text of ['', '4', '{"size": [4, 4]}', 'null']) expect(readGrid(text)).toBeNull()
+})
+
+test('the file that was taken for the anterior leaflet is known by the decision', () => {
+  const decision = (value: string) => ({ subject: 'leaflets', value, reason: '', look: true, confidence: 1 })
+  expect(anteriorFile({ decisions: [decision('file 2 is the anterior leaflet, file 1 the posterior one')] })).toBe(1)
+  expect(anteriorFile({ decisions: [decision('label 1 is the anterior leaflet, label 2 the posterior one')] })).toBe(-1)
+})
+
+test('a control stands at the decision that it changes', () => {
+  const control = (subject: string, about?: RegExp): DecisionControl => ({
+    subject,
+    ...(about && { about }),
+    element: {} as HTMLElement,
+  })
+  const [tissue, state] = [control('state', /stress-free/), control('state')]
+  const left = [tissue, state]
+  expect(takeControl({ subject: 'frame', value: 'moved by 1 mm' }, left)).toBeUndefined()
+  expect(takeControl({ subject: 'state', value: 'imaged open' }, left)).toBe(state)
+  expect(takeControl({ subject: 'state', value: 'imaged open' }, left)).toBeUndefined()
+  expect(takeControl({ subject: 'state', value: 'the imaged state is interpreted as stress-free' }, left)).toBe(tissue)
+  expect(left).toEqual([])
 })
 
 test('what a name does not say is told by what is in the file', () => {

@@ -2,8 +2,8 @@
 
 /// Of one drop, in the order of the folder; to be called while the event is handled.
 export async function droppedFiles({ items }: DataTransfer): Promise<File[]> {
-  const entries = [...items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null)
-  return (await Promise.all(entries.map(filesIn))).flat()
+  const dropped = [...items].map((item) => ({ entry: item.webkitGetAsEntry(), file: item.getAsFile() }))
+  return (await Promise.all(dropped.map(({ entry, file }) => (entry ? filesIn(entry) : file ? [file] : [])))).flat()
 }
 
 async function filesIn(entry: FileSystemEntry): Promise<File[]> {
