@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "io/json/result_json.h"
 #include "io/json/version.h"
 #include "tests/io/picture/markup.h"
@@ -132,8 +134,8 @@ TEST(Report, TellsItsDateOnTheFirstPageAndEverySheet) {
 TEST(Report, ListsWhatMeasurementsWouldSay) {
   SearchResult result = search_result();
   EXPECT_FALSE(contains(html_of(result), "What would say more")) << "too few draws";
-  result.information = {{"widest gap to 0.5 mm", 0.62, 5.6},
-                        {"leaflet thickness", kUnknown, kUnknown}};
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  result.information = {{"widest gap to 0.5 mm", 0.62, 5.6}, {"leaflet thickness", kNone, kNone}};
   const std::string table = section(html_of(result), "What would say more");
   for (const char* part : {"widest gap to 0.5 mm", "62 %", "5.6", "leaflet thickness", "n/a"})
     EXPECT_TRUE(contains(table, part)) << part;
