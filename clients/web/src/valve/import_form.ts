@@ -14,7 +14,7 @@ export const UNITS: readonly (readonly [Unit, string])[] = [
   ['m', 'm'],
 ]
 export const AXES: readonly (readonly [string, string])[] = [
-  ['', 'as stated in the files, else LPS'],
+  ['', 'as stated, else LPS'],
   ['LPS', 'LPS (left, posterior, superior)'],
   ['RAS', 'RAS (right, anterior, superior)'],
 ]
