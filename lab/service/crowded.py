@@ -168,7 +168,8 @@ def attacks(server, heavy):
     valve = server.get("/v1/presets/human-normal")
     for formats in (["nii"], ["nrrd", "nii", "nii.gz"]):
         maps = label_maps(valve, 320, formats)
-        yield f"8 exports of 320³ voxels in {len(formats)} format{"s" * (len(formats) > 1)}", Attack(server, "/v1/exports:files", maps, 8)
+        name = f"8 exports of 320³ voxels in {len(formats)} format{'s' * (len(formats) > 1)}"
+        yield name, Attack(server, "/v1/exports:files", maps, 8)
     yield "100 small closures at once", Attack(server, "/v1/closures", SMALL, 100)
     yield "100 slow bodies", SlowBodies(server, 100)
 

@@ -174,7 +174,9 @@ test('labels with the names of each other are refused, then trusted, then mended
   await page.goto(`${service.url}/#/valve`)
   const panel = page.locator('[data-part=import]')
   const names = ['Posterior leaflet', 'Anterior leaflet']
-  await panel.getByLabel('Files', { exact: true }).setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labelMap(names) })
+  await panel
+    .getByLabel('Files', { exact: true })
+    .setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labelMap(names) })
   await panel.getByLabel('What label 1 is').waitFor()
   await panel.getByLabel('Name').fill('named the other way round')
   await panel.getByRole('button', { name: 'Import', exact: true }).click()

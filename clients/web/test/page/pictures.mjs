@@ -95,7 +95,9 @@ async function importWrongLabels(page) {
   await page.getByText('Import meshes').click()
   const panel = page.locator('[data-part=import]')
   const labels = labelMap(['Posterior leaflet', 'Anterior leaflet'])
-  await panel.getByLabel('Files', { exact: true }).setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labels })
+  await panel
+    .getByLabel('Files', { exact: true })
+    .setInputFiles({ name: 'map.nrrd', mimeType: 'image/nrrd', buffer: labels })
   await panel.getByLabel('What label 1 is').waitFor()
   await panel.getByLabel('Name').fill('labels in the wrong order')
   await panel.getByText('Correct detected properties').click()
