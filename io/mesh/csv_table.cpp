@@ -86,11 +86,13 @@ std::vector<std::string_view> split_wide(std::string_view row) {
   return found;
 }
 
-bool is_number(std::string_view field) {
+std::optional<double> with_decimal_comma(std::string_view field) {
   std::string text(field);
   std::replace(text.begin(), text.end(), ',', '.');
-  return to_number(text).has_value();
+  return to_number(text);
 }
+
+bool is_number(std::string_view field) { return with_decimal_comma(field).has_value(); }
 
 bool holds_a_point(const std::vector<std::string_view>& fields) {
   return std::count_if(fields.begin(), fields.end(), is_number) >= 3;
@@ -239,10 +241,7 @@ bool CsvTable::has(std::string_view column) const {
 }
 
 std::optional<double> CsvTable::number(std::string_view field) const {
-  if (!decimal_commas) return to_number(field);
-  std::string text(field);
-  std::replace(text.begin(), text.end(), ',', '.');
-  return to_number(text);
+  return decimal_commas ? with_decimal_comma(field) : to_number(field);
 }
 
 bool is_table_format(std::string_view format) {
