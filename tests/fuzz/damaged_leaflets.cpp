@@ -83,16 +83,7 @@ void damage(std::vector<TriangleMesh>& meshes, const std::uint8_t* bytes, std::s
   }
 }
 
-}  // namespace
-
-std::vector<TriangleMesh> damaged_leaflets(int shape, const std::uint8_t* bytes, std::size_t size) {
-  constexpr double kPi = std::numbers::pi;
-  std::vector<TriangleMesh> leaflets = {funnel(0.1, kPi - 0.1, (shape & 1) != 0)};
-  if ((shape & 2) == 0) leaflets.push_back(funnel(kPi + 0.1, 2 * kPi - 0.1, (shape & 4) != 0));
-  damage(leaflets, bytes, size);
-  return leaflets;
-}
-
+/// Where the leaflets begin: 24 points, 18 mm from the axis.
 Points round_annulus() {
   Points annulus_mm(24, 3);
   for (int i = 0; i < 24; ++i) {
@@ -100,6 +91,22 @@ Points round_annulus() {
     annulus_mm.row(i) << 18.0 * std::cos(angle), 18.0 * std::sin(angle), 0.0;
   }
   return annulus_mm;
+}
+
+}  // namespace
+
+ImportSource damaged_source(int given, const std::uint8_t* bytes, std::size_t size) {
+  constexpr double kPi = std::numbers::pi;
+  ImportSource source;
+  source.leaflets = {funnel(0.1, kPi - 0.1, (given & 1) != 0)};
+  if ((given & 2) == 0)
+    source.leaflets.push_back(funnel(kPi + 0.1, 2 * kPi - 0.1, (given & 4) != 0));
+  damage(source.leaflets, bytes, size);
+  if ((given & 8) == 0) source.annulus_mm = round_annulus();
+  if ((given & 16) != 0)
+    source.tips = {{Side::Anterolateral, {-10.0, 0.0, -25.0}},
+                   {Side::Posteromedial, {10.0, 0.0, -25.0}}};
+  return source;
 }
 
 }  // namespace coapt

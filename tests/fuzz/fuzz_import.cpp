@@ -1,5 +1,5 @@
-// Whole imports of damaged leaflets, for what shows only there; fuzz_repair feeds their parts, some hundred times as fast. The first
-// byte says what is given with the leaflets, the others are spent on them.
+// Whole imports of damaged leaflets, for what shows only there; fuzz_repair feeds their parts.
+// The first byte says what is given with the leaflets, the others are spent on them.
 #include <cstdlib>
 
 #include "io/mesh/import_valve.h"
@@ -9,12 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace coapt;
   if (size == 0) return 0;
   const int given = bytes[0];
-  ImportSource source;
-  source.leaflets = damaged_leaflets(given, bytes + 1, size - 1);
-  if ((given & 8) == 0) source.annulus_mm = round_annulus();
-  if ((given & 16) != 0)
-    source.tips = {{Side::Anterolateral, {-10.0, 0.0, -25.0}},
-                   {Side::Posteromedial, {10.0, 0.0, -25.0}}};
+  ImportSource source = damaged_source(given, bytes + 1, size - 1);
   ImportOptions options;
   options.triangles = 100;
   options.units = LengthUnit::Millimetre;

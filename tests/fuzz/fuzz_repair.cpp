@@ -44,12 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (size == 0) return 0;
   const int given = bytes[0];
   const auto part = static_cast<Part>(given >> 5);
-  ImportSource source;
-  source.leaflets = damaged_leaflets(given, bytes + 1, size - 1);
-  if ((given & 8) == 0) source.annulus_mm = round_annulus();
-  if ((given & 16) != 0)
-    source.tips = {{Side::Anterolateral, {-10.0, 0.0, -25.0}},
-                   {Side::Posteromedial, {10.0, 0.0, -25.0}}};
+  ImportSource source = damaged_source(given, bytes + 1, size - 1);
   (void)drop_loose_points(source);
   if (part == Units) {
     const UnitReading read = unit_of(source);
